@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// Animal: our model of one skinned, animated GLB. Plain arrays, checked once by the reader, then const.
+//
+// Every index in it is in range, every float is finite, key times rise, hierarchies end. Later rooms rely
+// on that and check nothing again.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/issue.hpp"
+
+namespace posepack::animal {
+
+inline constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+inline constexpr std::size_t kMaxInfluences = 4;
+
+// Translation, rotation (unit quaternion x, y, z, w) and scale of a node, relative to its parent.
+struct Transform {
+    glm::dvec3 translation{0.0, 0.0, 0.0};
+    glm::dvec4 rotation{0.0, 0.0, 0.0, 1.0};
+    glm::dvec3 scale{1.0, 1.0, 1.0};
+};
+
+struct Node {
+    std::string name;
+    std::uint32_t parent = kNone;
+    Transform rest;           // meaningless when has_matrix
+    bool has_matrix = false;  // glTF 2.0 section 3.5.3: such a node is not animated
+    glm::dmat4 matrix{1.0};
+};
+
+enum class Interpolation : std::uint8_t { linear, step, cubic_spline };
+enum class Path : std::uint8_t { translation, rotation, scale };
+
+// The keys of one animated property. Values: 3 floats a key (4 for rotation, x y z w), three times as many
+// for cubic splines (in-tangent, value, out-tangent), as in glTF 2.0 appendix C.
+struct Channel {
+    std::uint32_t node = 0;
+    Path path = Path::translation;
+    Interpolation interpolation = Interpolation::linear;
+    std::uint32_t first_time = 0;   // index into Animal::key_times
+    std::uint32_t key_count = 0;    // at least 1
+    std::uint32_t first_value = 0;  // index into Animal::key_values
+};
+
+struct Clip {
+    std::string source_name;  // glTF animation name, verbatim
+    std::string name;         // text after the last '|', made unique among the clips
+    std::vector<Channel> channels;
+    double start_s = 0.0;     // time of the first key
+    double duration_s = 0.0;  // from the first key to the last
+};
+
+// A palette column: the matrix node_global x inverse_bind.
+struct Bone {
+    std::string name;
+    std::uint32_t node = 0;
+    std::uint32_t parent = kNone;  // bone of the nearest ancestor node that has one
+    glm::dmat4 inverse_bind{1.0};
+    bool weighted = false;  // some vertex has a weight on it
+};
+
+// A node that draws a mesh with a skin. Its own transform is ignored (glTF 2.0 section 3.7.3.3).
+struct Mesh {
+    std::string name;
+    std::uint32_t node = 0, mesh = 0, skin = 0;      // glTF indices
+    std::uint32_t first_joint = 0, joint_count = 0;  // into Animal::joint_map
+    std::uint32_t first_vertex = 0, vertex_count = 0;
+};
+
+// The vertices of all meshes, primitive by primitive; arrays run in step.
+struct Vertices {
+    std::vector<std::array<float, 3>> positions;
+    std::vector<std::array<float, 3>> normals;  // zero where the primitive has none
+    std::vector<std::array<std::uint16_t, kMaxInfluences>> bones;
+    std::vector<std::array<float, kMaxInfluences>> weights;  // falling, sum 1; unused ones zero
+};
+
+struct Animal {
+    std::vector<Node> nodes;                // in glTF order
+    std::vector<std::uint32_t> node_order;  // parents before children
+    std::vector<Bone> bones;                // in the order of the skins' joints, equal pairs once
+    std::vector<std::uint16_t> joint_map;   // bone of each (mesh's skin, joint)
+    std::vector<Mesh> meshes;
+    Vertices vertices;
+    std::vector<Clip> clips;
+    std::vector<float> key_times;  // seconds, of all channels
+    std::vector<float> key_values;
+    std::vector<base::Issue> findings;  // what was repaired or left out
+};
+
+}  // namespace posepack::animal

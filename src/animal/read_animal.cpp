@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "animal/read_animal.hpp"
+
+#include <fmt/format.h>
+
+#include "animal/load_gltf.hpp"
+#include "animal/read_parts.hpp"
+
+namespace posepack::animal {
+
+using base::Issue;
+using base::IssueCode;
+
+base::Status ReadContext::repair(IssueCode warning, IssueCode refusal, std::string where,
+                                 std::string detail) {
+    if (options.strict) return Issue{refusal, std::move(where), std::move(detail)};
+    note(warning, std::move(where), std::move(detail));
+    return {};
+}
+
+void ReadContext::note(IssueCode code, std::string where, std::string detail) {
+    animal.findings.push_back({code, std::move(where), std::move(detail)});
+}
+
+base::Result<Animal> read_animal(std::span<const std::uint8_t> bytes, const ReadOptions& options) {
+    auto gltf = load_gltf(bytes);
+    if (!gltf) return gltf.issue();
+    Animal animal;
+    AccessorReader accessors(gltf.value());
+    ReadContext context{accessors, options, animal};
+    if (const std::uint32_t chunks = gltf.value().unknown_chunk_count; chunks > 0)
+        context.note(IssueCode::warn_glb_chunk, "",
+                     fmt::format("{} chunks of unknown type were skipped", chunks));
+    if (auto status = read_nodes(context); !status) return status.issue();
+    if (auto status = read_skins(context); !status) return status.issue();
+    if (auto status = read_meshes(context); !status) return status.issue();
+    if (auto status = read_clips(context); !status) return status.issue();
+    if (animal.bones.empty())
+        return Issue{IssueCode::glb_no_skin, "skins",
+                     "expected a mesh with a skin; the clips move plain nodes only"};
+    if (animal.vertices.positions.empty())
+        return Issue{IssueCode::glb_no_skin, "meshes",
+                     "no skinned mesh has vertices with joints and weights"};
+    return animal;
+}
+
+}  // namespace posepack::animal

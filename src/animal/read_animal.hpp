@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Reads a skinned, animated GLB into an Animal, or says why it cannot.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "animal/animal.hpp"
+#include "base/result.hpp"
+
+namespace posepack::animal {
+
+inline constexpr std::uint64_t kMaxGlbBytes = 512ull << 20;
+
+struct ReadOptions {
+    bool strict = false;  // refuse what would be repaired
+};
+
+// Reads the GLB in `bytes` (glTF 2.0, section 4.4). Buffers come from the BIN chunk alone; images are never
+// opened or decoded. What the file gets wrong is repaired where a repair is safe (a warning in
+// Animal::findings), else refused.
+// Errors: E-GLB-*, E-LIM-*. `where` of an issue is the place in the glTF ("accessors/12").
+base::Result<Animal> read_animal(std::span<const std::uint8_t> bytes, const ReadOptions& options = {});
+
+}  // namespace posepack::animal

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "animal/weights.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace posepack::animal {
+namespace {
+
+constexpr double kSumTolerance = 1e-3;  // beyond it a sum is reported; smaller ones are rounding
+
+struct Influence {
+    std::uint16_t bone;
+    double weight;
+};
+
+// Index of the vertex nearest to `vertex` among those that have weights, or the vertex itself when none has.
+std::size_t nearest_good(std::size_t vertex, const std::vector<bool>& good,
+                         std::span<const std::array<float, 3>> positions) {
+    std::size_t best = vertex;
+    double best_distance = HUGE_VAL;
+    for (std::size_t v = 0; v < good.size(); ++v) {
+        if (!good[v]) continue;
+        double distance = 0.0;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double d = static_cast<double>(positions[v][c]) - positions[vertex][c];
+            distance += d * d;
+        }
+        if (distance < best_distance) {
+            best_distance = distance;
+            best = v;
+        }
+    }
+    return best;
+}
+
+// The influences of one vertex: equal bones joined, largest first.
+void gather(std::span<const std::uint16_t> bones, std::span<const float> weights, std::vector<Influence>& out,
+            bool& bad) {
+    out.clear();
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        if (!std::isfinite(weights[i]) || weights[i] < 0.0f) {
+            bad = true;
+            continue;
+        }
+        if (weights[i] == 0.0f) continue;
+        const auto same =
+            std::find_if(out.begin(), out.end(), [&](const Influence& f) { return f.bone == bones[i]; });
+        if (same != out.end())
+            same->weight += weights[i];
+        else
+            out.push_back({bones[i], weights[i]});
+    }
+    std::stable_sort(out.begin(), out.end(),
+                     [](const Influence& a, const Influence& b) { return a.weight > b.weight; });
+}
+
+}  // namespace
+
+WeightRepairs reduce_weights(std::span<const std::uint16_t> bones, std::span<const float> weights,
+                             std::size_t influences, std::span<const std::array<float, 3>> positions,
+                             Vertices& out) {
+    WeightRepairs repairs;
+    const std::size_t count = positions.size();
+    const std::size_t first = out.bones.size();
+    std::vector<bool> good(count, true);
+    std::vector<Influence> found;
+    for (std::size_t v = 0; v < count; ++v) {
+        bool bad = false;
+        gather(bones.subspan(v * influences, influences), weights.subspan(v * influences, influences), found,
+               bad);
+        repairs.bad += bad ? 1 : 0;
+        double sum = 0.0;
+        for (const Influence& f : found) sum += f.weight;
+        if (!bad && !found.empty() && std::abs(sum - 1.0) > kSumTolerance) ++repairs.sum_not_one;
+        if (found.size() > kMaxInfluences) {
+            ++repairs.truncated;
+            double dropped = 0.0;
+            for (std::size_t i = kMaxInfluences; i < found.size(); ++i) dropped += found[i].weight / sum;
+            repairs.truncated_weight_max = std::max(repairs.truncated_weight_max, dropped);
+            found.resize(kMaxInfluences);
+            sum = 0.0;
+            for (const Influence& f : found) sum += f.weight;
+        }
+        std::array<std::uint16_t, kMaxInfluences> vertex_bones{};
+        std::array<float, kMaxInfluences> vertex_weights{};
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            vertex_bones[i] = found[i].bone;
+            vertex_weights[i] = static_cast<float>(found[i].weight / sum);
+        }
+        good[v] = !found.empty();
+        out.bones.push_back(vertex_bones);
+        out.weights.push_back(vertex_weights);
+    }
+    for (std::size_t v = 0; v < count; ++v) {
+        if (good[v]) continue;
+        ++repairs.none_left;
+        const std::size_t source = nearest_good(v, good, positions);
+        out.bones[first + v] = out.bones[first + source];
+        out.weights[first + v] = out.weights[first + source];
+        if (source == v) out.weights[first + v][0] = 1.0f;  // no vertex has weights: all follow joint 0
+    }
+    return repairs;
+}
+
+}  // namespace posepack::animal

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Skin weights: from what files hold to at most four falling weights that sum to one.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "animal/animal.hpp"
+
+namespace posepack::animal {
+
+// What was repaired, counted in vertices.
+struct WeightRepairs {
+    std::uint32_t bad = 0;              // NaN, infinite or negative weights, zeroed
+    std::uint32_t none_left = 0;        // no weight left: took those of the nearest good vertex
+    std::uint32_t sum_not_one = 0;      // renormalised
+    std::uint32_t truncated = 0;        // more than four influences
+    double truncated_weight_max = 0.0;  // the largest sum of weights dropped from one vertex
+};
+
+// Reduces the weights of `count` vertices with `influences` (joint, weight) pairs each.
+//   bones, weights  count x influences, vertex by vertex
+//   positions       of the same vertices, to find the nearest good one
+//   out             grows by `count` vertices of bones and weights
+WeightRepairs reduce_weights(std::span<const std::uint16_t> bones, std::span<const float> weights,
+                             std::size_t influences, std::span<const std::array<float, 3>> positions,
+                             Vertices& out);
+
+}  // namespace posepack::animal

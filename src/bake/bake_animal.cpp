@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "bake/bake_animal.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "animal/read_animal.hpp"
+#include "bake/records.hpp"
+#include "bake/select_clips.hpp"
+#include "base/sha256.hpp"
+#include "measure/measure_error.hpp"
+#include "motion/skin_set.hpp"
+#include "palette/container_writer.hpp"
+#include "palette/encode.hpp"
+#include "posepack/loader.h"
+
+namespace posepack::bake {
+namespace {
+
+using animal::Animal;
+using base::Issue;
+using base::IssueCode;
+using palette::Palette;
+
+class Stopwatch {
+ public:
+    double elapsed_s() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+ private:
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point start_ = Clock::now();
+};
+
+// What determines the bytes of a container, as canonical JSON: stored in it, and digested in its header.
+std::string recipe_text(const recipe::AnimalEntry& entry, const base::Sha256& glb_digest) {
+    const nlohmann::json recipe{{"bake_abi", POSEPACK_BAKE_ABI},
+                                {"entry", nlohmann::json::parse(entry.canonical_json)},
+                                {"glb_sha256", base::hexadecimal(glb_digest)}};
+    return recipe.dump();
+}
+
+double rest_radius(const Animal& animal, const motion::SkinSet& points) {
+    std::vector<glm::dvec3> posed(points.size());
+    motion::skin(points, motion::rest_pose(animal), posed);
+    return motion::sphere_around(posed).radius;
+}
+
+base::Status plan_clips(const Animal& animal, const std::vector<ClipChoice>& choices,
+                        const motion::SkinSet& points, Palette& palette, std::vector<Issue>& findings) {
+    std::uint64_t rows = 0;
+    for (const ClipChoice& choice : choices) {
+        const animal::Clip& clip = animal.clips[choice.source];
+        motion::ClipSampler sampler(animal, clip);
+        palette::PaletteClip out;
+        out.source = choice.source;
+        out.plan = motion::plan_rows(animal, clip, sampler, points, palette.radius, choice.wish);
+        out.first_row = static_cast<std::uint32_t>(rows);
+        out.speed_mps = choice.speed_mps;
+        out.stride_phase = choice.stride_phase;
+        rows += out.plan.row_count;
+        if (rows > POSEPACK_MAX_ROWS)
+            return Issue{
+                IssueCode::lim_rows, clip.name,
+                fmt::format("expected at most {} rows, the clips so far need {}", POSEPACK_MAX_ROWS, rows)};
+        findings.insert(findings.end(), out.plan.remarks.begin(), out.plan.remarks.end());
+        palette.clips.push_back(std::move(out));
+    }
+    return {};
+}
+
+base::Status sample_clips(const Animal& animal, Palette& palette) {
+    palette::RowEncoder encoder(palette.layout);
+    const palette::BoneBoxes boxes(animal);
+    std::vector<motion::Affine> bones(animal.bones.size());
+    std::vector<float> stored(animal.bones.size() * 12);
+    for (palette::PaletteClip& clip : palette.clips) {
+        motion::ClipSampler sampler(animal, animal.clips[clip.source]);
+        for (std::uint32_t row = 0; row < clip.plan.row_count; ++row) {
+            motion::sample_row(sampler, clip.plan, row, bones);
+            const std::uint32_t bad = encoder.encode(clip.first_row + row, bones, stored);
+            if (bad < bones.size()) {
+                const bool half = palette.layout.texel_format == POSEPACK_TEXEL_RGBA16F;
+                return Issue{
+                    half ? IssueCode::lim_half_range : IssueCode::lim_float_range,
+                    animal.clips[clip.source].name,
+                    fmt::format(
+                        "expected values up to {:.6g}, bone '{}' leaves that range at row {} ({:.4g} s)",
+                        half ? 65504.0 : 3.4e38, animal.bones[bad].name, row, clip.plan.row_time_s(row))};
+            }
+            boxes.add(stored, clip.bounds, row == 0);
+        }
+    }
+    palette.pixels = encoder.finish();
+    return {};
+}
+
+base::Result<Palette> make_palette(const recipe::AnimalEntry& entry, const Animal& animal,
+                                   const motion::SkinSet& points, std::vector<Issue>& findings) {
+    auto choices = select_clips(animal, entry);
+    if (!choices) return choices.issue();
+    auto states = choose_states(animal, entry, choices.value());
+    if (!states) return states.issue();
+    Palette palette;
+    palette.states = std::move(states.value().states);
+    palette.default_state = states.value().default_state;
+    palette.forward = entry.forward;
+    palette.metres_per_unit = entry.metres_per_unit;
+    palette.radius = rest_radius(animal, points);
+    if (auto status = plan_clips(animal, choices.value(), points, palette, findings); !status)
+        return status.issue();
+    const palette::PaletteClip& last = palette.clips.back();
+    auto layout = palette::choose_layout(entry.output, static_cast<std::uint32_t>(animal.bones.size()),
+                                         last.first_row + last.plan.row_count);
+    if (!layout) return layout.issue();
+    palette.layout = layout.value();
+    if (auto status = sample_clips(animal, palette); !status) return status.issue();
+    return palette;
+}
+
+base::Status check_with_loader(const base::Bytes& container) {
+    posepack_view view;
+    const posepack_result result = posepack_open(&view, container.data(), container.size());
+    if (result == POSEPACK_OK) return {};
+    return Issue{IssueCode::pack_invalid, "",
+                 fmt::format("the loader refuses the container just made: {}", posepack_result_name(result))};
+}
+
+}  // namespace
+
+base::Result<BakedAnimal> bake_animal(const recipe::AnimalEntry& entry, std::span<const std::uint8_t> glb,
+                                      const AnimalOptions& options) {
+    const Stopwatch bake_watch;
+    BakedAnimal baked;
+    const base::Sha256 glb_digest = base::sha256(glb);
+    auto animal = animal::read_animal(glb, {options.strict});
+    if (!animal) return base::at(entry.model, animal.issue());
+    for (const Issue& finding : animal.value().findings)
+        baked.findings.push_back(base::at(entry.model, finding));
+    const motion::SkinSet points = motion::unique_points(animal.value());
+    std::vector<Issue> remarks;
+    auto palette = make_palette(entry, animal.value(), points, remarks);
+    if (!palette) return base::at(entry.id, palette.issue());
+    for (const Issue& remark : remarks) baked.findings.push_back(base::at(entry.id, remark));
+
+    const std::string recipe = recipe_text(entry, glb_digest);
+    baked.container = palette::write_container(animal.value(), palette.value(), recipe);
+    palette.value().pixels = {};  // the container has them now
+    baked.bake_s = bake_watch.elapsed_s();
+
+    const Stopwatch measure_watch;
+    if (options.measure) {
+        const motion::SkinSet normals = motion::unique_normals(animal.value());
+        auto stats =
+            measure::measure_error(animal.value(), palette.value(), baked.container, points, normals);
+        if (!stats) return base::at(entry.id, stats.issue());
+        palette::store_errors(baked.container, stats.value().clips);
+        baked.record = describe(entry, animal.value(), palette.value(), &stats.value());
+    } else {
+        baked.record = describe(entry, animal.value(), palette.value(), nullptr);
+    }
+    if (auto status = check_with_loader(baked.container); !status) return base::at(entry.id, status.issue());
+    baked.measure_s = measure_watch.elapsed_s();
+
+    recipe::BakeRecord& record = baked.record;
+    record.container_bytes = baked.container.size();
+    record.container_sha256 = base::hexadecimal(base::sha256(baked.container));
+    record.model_bytes = glb.size();
+    record.model_sha256 = base::hexadecimal(glb_digest);
+    record.recipe_sha256 = base::hexadecimal(
+        base::sha256({reinterpret_cast<const std::uint8_t*>(recipe.data()), recipe.size()}));
+    for (const Issue& finding : baked.findings) record.remarks.push_back(base::format_issue(finding));
+    if (options.compare_vat) {
+        record.has_vram = true;
+        record.vram = vram_of(record.row_count, record.bone_count, record.vertex_count);
+    }
+    return baked;
+}
+
+}  // namespace posepack::bake

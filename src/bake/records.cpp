@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "bake/records.hpp"
+
+#include "vat/vram.hpp"
+
+namespace posepack::bake {
+namespace {
+
+recipe::ErrorRecord error_record(const palette::ClipError& error, const animal::Animal& animal,
+                                 const palette::Palette& palette) {
+    recipe::ErrorRecord record;
+    record.measured = true;
+    record.max = error.max;
+    record.p999 = error.p999;
+    record.rms = error.rms;
+    record.max_m =
+        static_cast<float>(static_cast<double>(error.max) * palette.radius * palette.metres_per_unit);
+    record.normal_max_deg = error.normal_max_deg;
+    record.normal_p999_deg = error.normal_p999_deg;
+    record.normal_rms_deg = error.normal_rms_deg;
+    record.time_s = error.time_s;
+    record.vertex = error.vertex;
+    if (error.mesh != animal::kNone) record.mesh = animal.meshes[error.mesh].name;
+    if (error.bone != animal::kNone) record.bone = animal.bones[error.bone].name;
+    return record;
+}
+
+}  // namespace
+
+recipe::BakeRecord describe(const recipe::AnimalEntry& entry, const animal::Animal& animal,
+                            const palette::Palette& palette, const measure::ErrorStats* stats) {
+    recipe::BakeRecord record;
+    record.id = entry.id;
+    record.container = entry.id + ".posepack";
+    record.model = entry.model;
+    record.encoding = name_of(entry.output.encoding);
+    record.texel_format = name_of(entry.output.texel_format);
+    record.texel_order = name_of(entry.output.texel_order);
+    record.bone_count = palette.layout.bone_count;
+    record.row_count = palette.layout.row_count;
+    for (const animal::Mesh& mesh : animal.meshes) record.vertex_count += mesh.vertex_count;
+    record.texture_width = palette.layout.texture_width;
+    record.texture_height = palette.layout.texture_height;
+    record.texel_bytes = palette.layout.texel_payload_bytes();
+    record.radius_m = static_cast<float>(palette.radius * palette.metres_per_unit);
+    for (std::size_t c = 0; c < palette.clips.size(); ++c) {
+        const palette::PaletteClip& clip = palette.clips[c];
+        recipe::ClipRecord out;
+        out.name = animal.clips[clip.source].name;
+        out.source_name = animal.clips[clip.source].source_name;
+        out.first_row = clip.first_row;
+        out.row_count = clip.plan.row_count;
+        out.rate_hz = static_cast<float>(clip.plan.rate_hz);
+        out.period_s = static_cast<float>(clip.plan.period_s);
+        out.start_s = static_cast<float>(animal.clips[clip.source].start_s);
+        out.wrap = name_of(clip.plan.wrap);
+        out.seam = name_of(clip.plan.seam);
+        out.interpolation = clip.plan.step ? "step" : "linear";
+        out.seam_gap = static_cast<float>(clip.plan.seam_gap);
+        out.speed_mps = static_cast<float>(clip.speed_mps);
+        if (stats != nullptr) out.error = error_record(stats->clips[c], animal, palette);
+        record.clips.push_back(std::move(out));
+    }
+    for (const palette::PaletteState& state : palette.states)
+        record.states.push_back({state.name, record.clips[state.clip].name});
+    if (palette.default_state != animal::kNone)
+        record.default_state = palette.states[palette.default_state].name;
+    if (stats != nullptr && !record.clips.empty()) {
+        record.error = error_record(stats->pooled, animal, palette);
+        record.error.clip = record.clips[stats->worst_clip].name;
+    }
+    return record;
+}
+
+recipe::VramRecord vram_of(std::uint64_t row_count, std::uint64_t bone_count, std::uint64_t vertex_count) {
+    const auto bytes = [&](std::size_t form) {
+        return vat::texture_bytes(vat::kForms[form], row_count, bone_count, vertex_count);
+    };
+    return {bytes(0), bytes(1), bytes(2), bytes(3), bytes(4), bytes(5), bytes(6)};
+}
+
+}  // namespace posepack::bake

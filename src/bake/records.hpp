@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// The manifest's record of a baked animal.
+#pragma once
+
+#include "animal/animal.hpp"
+#include "measure/measure_error.hpp"
+#include "palette/palette.hpp"
+#include "recipe/catalog.hpp"
+#include "recipe/manifest.hpp"
+
+namespace posepack::bake {
+
+// Everything but digests and sizes of files. `stats` is null when the error was not measured.
+recipe::BakeRecord describe(const recipe::AnimalEntry& entry, const animal::Animal& animal,
+                            const palette::Palette& palette, const measure::ErrorStats* stats);
+
+// Texture memory of all forms at these counts.
+recipe::VramRecord vram_of(std::uint64_t row_count, std::uint64_t bone_count, std::uint64_t vertex_count);
+
+}  // namespace posepack::bake

@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: MIT
+#include "base/json.hpp"
+
+// A namespace of our own: other rooms build RapidJSON with other macros, and the two must not be merged.
+#define RAPIDJSON_NAMESPACE posepack_base_rapidjson
+#define RAPIDJSON_NAMESPACE_BEGIN namespace posepack_base_rapidjson {
+#define RAPIDJSON_NAMESPACE_END }
+
+#include <fmt/format.h>
+#include <rapidjson/error/error.h>
+#include <rapidjson/reader.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <vector>
+
+#include "base/text.hpp"
+
+namespace posepack::base {
+namespace {
+
+namespace rapidjson = posepack_base_rapidjson;
+
+constexpr std::size_t kDetailBytes = 64;
+
+// The text as RapidJSON's input stream; it reads as '\0' behind its end. RapidJSON works on a copy inside
+// a token, so that Tell() of the original is the token's first byte when a handler runs.
+struct TextStream {
+    using Ch = char;
+
+    explicit TextStream(std::string_view text)
+        : at(text.data()), begin(text.data()), end(text.data() + text.size()) {}
+
+    Ch Peek() const { return at == end ? '\0' : *at; }
+    Ch Take() { return at == end ? '\0' : *at++; }
+    std::size_t Tell() const { return static_cast<std::size_t>(at - begin); }
+
+    // Called for streams that are written to only, which this one never is.
+    Ch* PutBegin() { return nullptr; }
+    void Put(Ch) {}
+    void Flush() {}
+    std::size_t PutEnd(Ch*) { return 0; }
+
+    const char* at;
+    const char* begin;
+    const char* end;
+};
+
+}  // namespace
+}  // namespace posepack::base
+
+namespace posepack_base_rapidjson {
+
+// Lets RapidJSON read tokens through a copy in registers.
+template <>
+struct StreamTraits<posepack::base::TextStream> {
+    enum { copyOptimization = 1 };
+};
+
+}  // namespace posepack_base_rapidjson
+
+namespace posepack::base {
+namespace {
+
+// A key of an open object: its decoded bytes lie in KeyStack's arena.
+struct Key {
+    std::size_t hash;
+    std::size_t arena_offset;
+    std::size_t size_bytes;
+    std::size_t text_offset;
+};
+
+// The keys of every open object. Small objects compare each new key with the earlier ones; large ones sort
+// their keys once when they close, so that no choice of keys costs more than O(n log n).
+class KeyStack {
+ public:
+    void open() { frames_.push_back({keys_.size(), arena_.size()}); }
+
+    // Adds a key; returns false when the object holds it already.
+    bool add(std::string_view key, std::size_t text_offset) {
+        const Key added{std::hash<std::string_view>{}(key), arena_.size(), key.size(), text_offset};
+        arena_.append(key);
+        const std::size_t first = frames_.back().first_key;
+        if (keys_.size() - first < kSmallObject) {
+            for (std::size_t i = first; i < keys_.size(); ++i) {
+                if (is_same(keys_[i], added)) return false;
+            }
+        }
+        keys_.push_back(added);
+        return true;
+    }
+
+    // Forgets the innermost object. Returns the first repeated key's offset in the text, or npos.
+    std::size_t close(std::string* repeated) {
+        const auto [first_key, arena_bytes] = frames_.back();
+        std::size_t offset = std::string::npos;
+        if (keys_.size() - first_key > kSmallObject) offset = first_repeat(first_key, repeated);
+        frames_.pop_back();
+        keys_.resize(first_key);
+        arena_.resize(arena_bytes);
+        return offset;
+    }
+
+ private:
+    static constexpr std::size_t kSmallObject = 16;
+
+    struct Frame {
+        std::size_t first_key;
+        std::size_t arena_bytes;
+    };
+
+    std::string_view bytes_of(const Key& key) const {
+        return std::string_view(arena_).substr(key.arena_offset, key.size_bytes);
+    }
+
+    bool is_same(const Key& a, const Key& b) const { return a.hash == b.hash && bytes_of(a) == bytes_of(b); }
+
+    std::size_t first_repeat(std::size_t first_key, std::string* repeated) {
+        const auto begin = keys_.begin() + static_cast<std::ptrdiff_t>(first_key);
+        std::sort(begin, keys_.end(), [this](const Key& a, const Key& b) {
+            if (a.hash != b.hash) return a.hash < b.hash;
+            const int order = bytes_of(a).compare(bytes_of(b));
+            return order != 0 ? order < 0 : a.text_offset < b.text_offset;
+        });
+        std::size_t offset = std::string::npos;
+        for (auto key = begin + 1; key < keys_.end(); ++key) {
+            if (!is_same(key[-1], key[0]) || key->text_offset >= offset) continue;
+            offset = key->text_offset;
+            *repeated = bytes_of(*key);
+        }
+        return offset;
+    }
+
+    std::string arena_;
+    std::vector<Key> keys_;
+    std::vector<Frame> frames_;
+};
+
+// True when decoded text holds half a surrogate pair, which only a lone \uD800..\uDFFF escape can make:
+// the raw text has been checked by then, and RapidJSON lets the low half pass.
+bool has_lone_surrogate(const char* text, std::size_t size) {
+    const char* end = text + size;
+    while (text < end) {
+        text = static_cast<const char*>(std::memchr(text, 0xED, static_cast<std::size_t>(end - text)));
+        if (text == nullptr || ++text == end) return false;
+        if (static_cast<std::uint8_t>(*text) >= 0xA0) return true;
+    }
+    return false;
+}
+
+// Receives RapidJSON's events; each returns false to stop at a fault.
+class Checker {
+ public:
+    Checker(const TextStream& stream, bool has_escaped_units)
+        : stream_(stream), has_escaped_units_(has_escaped_units) {}
+
+    JsonCheck result;
+
+    bool Null() { return true; }
+    bool Bool(bool) { return true; }
+    bool Int(int) { return true; }
+    bool Uint(unsigned) { return true; }
+    bool Int64(std::int64_t) { return true; }
+    bool Uint64(std::uint64_t) { return true; }
+    bool RawNumber(const char*, rapidjson::SizeType, bool) { return true; }
+
+    bool Double(double value) {
+        return std::isfinite(value) || stop(JsonFault::number_range, stream_.Tell(), number_detail());
+    }
+    bool String(const char* text, rapidjson::SizeType size, bool) {
+        if (!has_escaped_units_ || !has_lone_surrogate(text, size)) return true;
+        return stop(JsonFault::syntax, stream_.Tell(),
+                    "expected a pair of \\u surrogate escapes, found one half");
+    }
+    bool Key(const char* text, rapidjson::SizeType size, bool) {
+        if (!String(text, size, true)) return false;
+        const std::string_view key(text, size);
+        return keys_.add(key, stream_.Tell()) || stop_at_repeat(key, stream_.Tell());
+    }
+    bool StartObject() {
+        keys_.open();
+        return enter();
+    }
+    bool EndObject(rapidjson::SizeType) {
+        --depth_;
+        std::string repeated;
+        const std::size_t offset = keys_.close(&repeated);
+        return offset == std::string::npos || stop_at_repeat(repeated, offset);
+    }
+    bool StartArray() { return enter(); }
+    bool EndArray(rapidjson::SizeType) {
+        --depth_;
+        return true;
+    }
+
+    std::string number_detail() const { return "expected a number that fits a double, found a larger one"; }
+
+ private:
+    bool stop(JsonFault fault, std::size_t offset, std::string detail) {
+        result = {fault, offset, std::move(detail)};
+        return false;
+    }
+    bool stop_at_repeat(std::string_view key, std::size_t offset) {
+        return stop(JsonFault::duplicate_key, offset,
+                    fmt::format("expected each key once in an object, found '{}' twice",
+                                printable(shortened(key, kDetailBytes))));
+    }
+    bool enter() {
+        if (++depth_ <= kMaxJsonDepth) return true;
+        return stop(JsonFault::too_deep, stream_.Tell(),
+                    fmt::format("expected at most {} levels of nesting, found more", kMaxJsonDepth));
+    }
+
+    const TextStream& stream_;
+    bool has_escaped_units_;  // the text holds \\u somewhere; most do not, and skip a search per string
+    KeyStack keys_;
+    std::size_t depth_ = 0;
+};
+
+std::string_view expectation(rapidjson::ParseErrorCode code) {
+    switch (code) {
+        case rapidjson::kParseErrorDocumentEmpty:
+            return "a JSON value";
+        case rapidjson::kParseErrorDocumentRootNotSingular:
+            return "the end of the text after the value";
+        case rapidjson::kParseErrorValueInvalid:
+            return "a JSON value";
+        case rapidjson::kParseErrorObjectMissName:
+            return "a key in double quotes";
+        case rapidjson::kParseErrorObjectMissColon:
+            return "':' after the key";
+        case rapidjson::kParseErrorObjectMissCommaOrCurlyBracket:
+            return "',' or '}' in the object";
+        case rapidjson::kParseErrorArrayMissCommaOrSquareBracket:
+            return "',' or ']' in the array";
+        case rapidjson::kParseErrorStringUnicodeEscapeInvalidHex:
+            return "four hexadecimal digits after \\u";
+        case rapidjson::kParseErrorStringUnicodeSurrogateInvalid:
+            return "a pair of \\u surrogate escapes";
+        case rapidjson::kParseErrorStringEscapeInvalid:
+            return "one of \\\" \\\\ \\/ \\b \\f \\n \\r \\t \\u";
+        case rapidjson::kParseErrorStringMissQuotationMark:
+            return "a closing '\"'";
+        case rapidjson::kParseErrorStringInvalidEncoding:
+            return "no control characters in a string";
+        case rapidjson::kParseErrorNumberMissFraction:
+            return "a digit after '.'";
+        case rapidjson::kParseErrorNumberMissExponent:
+            return "a digit in the exponent";
+        default:
+            return "valid JSON";
+    }
+}
+
+std::string found_at(std::string_view text, std::size_t offset) {
+    if (offset >= text.size()) return "the end of the text";
+    const auto byte = static_cast<std::uint8_t>(text[offset]);
+    if (byte < 0x20 || byte >= 0x7F) return fmt::format("byte 0x{:02X}", byte);
+    return fmt::format("'{}'", text[offset]);
+}
+
+JsonCheck syntax_fault(std::string_view text, std::size_t offset, std::string_view expected) {
+    return {JsonFault::syntax, offset,
+            fmt::format("expected {}, found {}", expected, found_at(text, offset))};
+}
+
+// Index of the first byte that is not ASCII, at or after `index`; the size when there is none.
+std::size_t skip_ascii(std::string_view text, std::size_t index) {
+    constexpr std::uint64_t kHighBits = 0x8080808080808080;
+    for (; index + 8 <= text.size(); index += 8) {
+        std::uint64_t word = 0;
+        std::memcpy(&word, text.data() + index, 8);
+        if ((word & kHighBits) != 0) break;
+    }
+    while (index < text.size() && static_cast<std::uint8_t>(text[index]) < 0x80) ++index;
+    return index;
+}
+
+// Index of the first byte that begins no well-formed character, or npos.
+std::size_t first_malformed_utf8(std::string_view text) {
+    std::size_t index = skip_ascii(text, 0);
+    while (index < text.size()) {
+        std::size_t size = 2;
+        while (size <= 4 && !is_utf8(text.substr(index, size))) ++size;
+        if (size > 4) return index;
+        index = skip_ascii(text, index + size);
+    }
+    return std::string_view::npos;
+}
+
+}  // namespace
+
+JsonCheck check_json(std::string_view text) {
+    const std::size_t malformed = first_malformed_utf8(text);
+    if (malformed != std::string_view::npos) {
+        return {JsonFault::utf8, malformed,
+                fmt::format("expected well-formed UTF-8, found {}", found_at(text, malformed))};
+    }
+    TextStream stream(text);
+    Checker checker(stream, text.find("\\u") != std::string_view::npos);
+    rapidjson::Reader reader;
+    const rapidjson::ParseResult parsed = reader.Parse<rapidjson::kParseIterativeFlag>(stream, checker);
+    if (checker.result.fault != JsonFault::none) return checker.result;
+    if (parsed.Code() == rapidjson::kParseErrorNumberTooBig) {
+        return {JsonFault::number_range, parsed.Offset(), checker.number_detail()};
+    }
+    if (parsed.IsError()) return syntax_fault(text, parsed.Offset(), expectation(parsed.Code()));
+    // A zero byte looks like the end to RapidJSON.
+    if (stream.Tell() != text.size()) return syntax_fault(text, stream.Tell(), "the end of the text");
+    return {};
+}
+
+}  // namespace posepack::base

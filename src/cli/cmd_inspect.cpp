@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "base/sha256.hpp"
+#include "base/text.hpp"
+#include "cli/commands.hpp"
+#include "cli/container_file.hpp"
+#include "cli/diagnostics.hpp"
+#include "cli/options.hpp"
+#include "output/container_json.hpp"
+#include "output/text_table.hpp"
+
+namespace posepack::cli {
+namespace {
+
+using base::Issue;
+using base::IssueCode;
+using output::Align;
+
+struct Options {
+    std::string container;
+    std::shared_ptr<Format> format = std::make_shared<Format>(Format::text);
+    std::string clip, bone;
+    std::optional<std::uint32_t> row;
+    bool bones = false;
+};
+
+std::string text_of(const posepack_string& string) {
+    return {string.data, string.size_bytes};
+}
+
+output::TextTable clips_table(const posepack_view& view) {
+    output::TextTable table;
+    table.columns = {{"clip", Align::left}, {"rows"},       {"first"},
+                     {"rate Hz"},           {"period s"},   {"wrap", Align::left},
+                     {"speed m/s"},         {"max / R"},    {"p99.9 / R"},
+                     {"rms / R"},           {"normal deg"}, {"worst place", Align::left}};
+    for (std::uint32_t c = 0; c < view.header.clip_count; ++c) {
+        posepack_clip clip;
+        if (posepack_get_clip(&view, c, &clip) != POSEPACK_OK) continue;
+        posepack_bone bone;
+        const bool placed =
+            clip.measured != 0 && posepack_get_bone(&view, clip.error.bone, &bone) == POSEPACK_OK;
+        const std::string wrap = output::wrap_name(clip.wrap) +
+                                 (clip.wrap == POSEPACK_WRAP_LOOP ? ", " + output::seam_name(clip.seam) : "");
+        const auto figure = [&](float value) {
+            return clip.measured != 0 ? output::readable_error(value) : "-";
+        };
+        table.rows.push_back({text_of(clip.name), std::to_string(clip.row_count),
+                              std::to_string(clip.first_row), fmt::format("{:.6g}", clip.rate_hz),
+                              fmt::format("{:.4f}", clip.period_s), wrap,
+                              clip.speed_mps > 0 ? fmt::format("{:.3g}", clip.speed_mps) : "-",
+                              figure(clip.error.max), figure(clip.error.p999), figure(clip.error.rms),
+                              clip.measured != 0 ? fmt::format("{:.3g}", clip.error.normal_max_deg) : "-",
+                              placed ? fmt::format("{:.3f} s, vertex {}, {}", clip.error.time_s,
+                                                   clip.error.vertex, text_of(bone.name))
+                                     : "not measured"});
+    }
+    return table;
+}
+
+output::TextTable bones_table(const posepack_view& view) {
+    output::TextTable table;
+    table.columns = {{"bone"}, {"name", Align::left}, {"parent"}, {"node"}, {"weighted", Align::left}};
+    for (std::uint32_t b = 0; b < view.header.bone_count; ++b) {
+        posepack_bone bone;
+        if (posepack_get_bone(&view, b, &bone) != POSEPACK_OK) continue;
+        table.rows.push_back({std::to_string(b), text_of(bone.name),
+                              bone.parent == POSEPACK_NONE ? "-" : std::to_string(bone.parent),
+                              std::to_string(bone.node),
+                              (bone.flags & POSEPACK_BONE_FLAG_WEIGHTED) != 0 ? "yes" : "no"});
+    }
+    return table;
+}
+
+void print_summary(const posepack_view& view, const Options& options) {
+    const posepack_header& h = view.header;
+    fmt::print("{}: format {}.{} (draft), {} bytes, bake ABI {}\n", options.container, h.major, h.minor,
+               base::grouped(h.file_bytes), h.bake_abi);
+    fmt::print("palette   {} {}, {}, {} bones x {} rows, texture {} x {}, pitch {} bytes\n",
+               output::encoding_name(h.encoding), output::texel_format_name(h.texel_format),
+               output::texel_order_name(h.texel_order), h.bone_count, h.row_count, h.texture_width_texels,
+               h.texture_height_texels, h.row_pitch_bytes);
+    fmt::print("radius R  {:.4g} m\nrecipe    {}\nsections ", h.radius_m, base::hexadecimal(h.recipe_sha256));
+    for (std::uint32_t s = 0; s < h.section_count; ++s) {
+        std::string type;
+        for (int i = 0; i < 4; ++i) type += static_cast<char>(view.sections[s].type >> (8 * i) & 0xFF);
+        fmt::print(" {} {}", type, view.sections[s].stored_bytes);
+    }
+    fmt::print("\n\n{}", format_text(clips_table(view)));
+    std::uint32_t count = 0, default_state = POSEPACK_NONE;
+    if (posepack_count_states(&view, &count, &default_state) == POSEPACK_OK && count > 0)
+        fmt::print("\nstates   ");
+    for (std::uint32_t s = 0; s < count; ++s) {
+        posepack_state state;
+        posepack_clip clip;
+        if (posepack_get_state(&view, s, &state) == POSEPACK_OK &&
+            posepack_get_clip(&view, state.clip, &clip) == POSEPACK_OK)
+            fmt::print(" {}{} -> {}{}", text_of(state.name), s == default_state ? " (default)" : "",
+                       text_of(clip.name), s + 1 < count ? "," : "\n");
+    }
+    if (options.bones) fmt::print("\n{}", format_text(bones_table(view)));
+}
+
+// A bone by number or name; a row of the container, or of a clip when one is named.
+struct BoneRow {
+    std::uint32_t row = 0, bone = 0;
+};
+
+base::Result<BoneRow> find_bone_row(const posepack_view& view, const Options& options) {
+    BoneRow place;
+    std::uint32_t row_limit = view.header.row_count;
+    std::uint32_t first_row = 0;
+    if (!options.clip.empty()) {
+        std::uint32_t index = 0;
+        posepack_clip clip;
+        if (posepack_find_clip(&view, options.clip.c_str(), &index) != POSEPACK_OK ||
+            posepack_get_clip(&view, index, &clip) != POSEPACK_OK)
+            return Issue{IssueCode::usage, "--clip",
+                         fmt::format("the container has no clip '{}'", options.clip)};
+        first_row = clip.first_row;
+        row_limit = clip.row_count;
+    }
+    if (options.row.value_or(0) >= row_limit)
+        return Issue{IssueCode::usage, "--row",
+                     fmt::format("expected 0 to {}, found {}", row_limit - 1, *options.row)};
+    place.row = first_row + options.row.value_or(0);
+    if (options.bone.empty() || posepack_find_bone(&view, options.bone.c_str(), &place.bone) == POSEPACK_OK)
+        return place;
+    const bool number =
+        options.bone.find_first_not_of("0123456789") == std::string::npos && options.bone.size() < 6;
+    if (number) place.bone = static_cast<std::uint32_t>(std::stoul(options.bone));
+    if (!number || place.bone >= view.header.bone_count)
+        return Issue{
+            IssueCode::usage, "--bone",
+            fmt::format("expected a name or 0 to {}, found '{}'", view.header.bone_count - 1, options.bone)};
+    return place;
+}
+
+int print_matrix(const posepack_view& view, const Options& options) {
+    const auto place = find_bone_row(view, options);
+    if (!place) return fail(place.issue());
+    float m[12];
+    posepack_bone bone;
+    if (posepack_decode_bone(&view, place.value().row, place.value().bone, m) != POSEPACK_OK ||
+        posepack_get_bone(&view, place.value().bone, &bone) != POSEPACK_OK)
+        return fail({IssueCode::pack_invalid, options.container, "the loader cannot decode that bone"});
+    if (*options.format == Format::json) {
+        nlohmann::json rows = nlohmann::json::array();
+        for (int r = 0; r < 3; ++r) {
+            nlohmann::json row = nlohmann::json::array();
+            for (int c = 0; c < 4; ++c) row.push_back(base::widened(m[r * 4 + c]));
+            rows.push_back(row);
+        }
+        fmt::print("{}\n", nlohmann::json{{"schema", "posepack-matrix-1"},
+                                          {"row", place.value().row},
+                                          {"bone", place.value().bone},
+                                          {"name", text_of(bone.name)},
+                                          {"matrix", rows}}
+                               .dump(1));
+        return 0;
+    }
+    fmt::print("row {}, bone {} ({}):\n", place.value().row, place.value().bone, text_of(bone.name));
+    for (int r = 0; r < 3; ++r)
+        fmt::print("{:>14} {:>14} {:>14} {:>14}\n", base::shortest(m[r * 4]), base::shortest(m[r * 4 + 1]),
+                   base::shortest(m[r * 4 + 2]), base::shortest(m[r * 4 + 3]));
+    return 0;
+}
+
+int run(const Options& options) {
+    const auto file = open_container(options.container);
+    if (!file) return fail(file.issue());
+    const posepack_view& view = file.value().view;
+    if (options.row || !options.bone.empty() || !options.clip.empty()) return print_matrix(view, options);
+    if (*options.format == Format::json)
+        fmt::print("{}\n", output::container_json(view, 1));
+    else
+        print_summary(view, options);
+    return 0;
+}
+
+}  // namespace
+
+Runner add_inspect(CLI::App& app) {
+    auto options = std::make_shared<Options>();
+    app.add_option("container", options->container, "Container to show")->required()->type_name("FILE");
+    app.add_flag("--bones", options->bones, "List the bones too");
+    app.add_option("--row", options->row, "Show one bone-row as a matrix: row of the container, or of --clip")
+        ->group("Matrix")
+        ->type_name("N");
+    app.add_option("--clip", options->clip, "Clip that --row counts from")
+        ->group("Matrix")
+        ->type_name("NAME");
+    app.add_option("--bone", options->bone, "Bone by name or number (default: 0)")
+        ->group("Matrix")
+        ->type_name("BONE");
+    add_format_option(app, options->format, false);
+    return [options] { return run(*options); };
+}
+
+}  // namespace posepack::cli

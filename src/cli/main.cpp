@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <vector>
+
+#include "base/text.hpp"
+#include "cli/commands.hpp"
+#include "cli/diagnostics.hpp"
+
+namespace posepack::cli {
+namespace {
+
+using base::ExitCode;
+using base::Issue;
+using base::IssueCode;
+
+struct Registered {
+    CLI::App* app;
+    Runner run;
+};
+
+// What an app understands: its flags, or its subcommands.
+std::vector<std::string> known_words(const CLI::App& app, bool flags) {
+    std::vector<std::string> words;
+    for (const CLI::Option* option : app.get_options())
+        for (const std::string& name : option->get_lnames())
+            if (flags) words.push_back("--" + name);
+    if (!flags)
+        for (const Command& command : commands()) words.emplace_back(command.name);
+    return words;
+}
+
+int refuse_word(const CLI::App& app, const std::string& word) {
+    const bool flag = word.starts_with("-");
+    const std::string near = base::nearest(word, known_words(app, flag));
+    const std::string what = flag ? "option" : app.get_parent() == nullptr ? "command" : "argument";
+    return fail({IssueCode::usage, app.get_name(),
+                 fmt::format("unknown {} '{}'{}", what, word,
+                             near.empty() ? "" : fmt::format("; did you mean '{}'?", near))});
+}
+
+void set_up(CLI::App& app, std::vector<Registered>& registered) {
+    app.set_version_flag("--version", std::string("posepack ") + POSEPACK_VERSION, "Show the version");
+    app.add_flag("--json-errors", diagnostic_style().json, "Errors and warnings as JSON, one object a line");
+    app.add_flag("-q,--quiet", diagnostic_style().quiet, "No warnings");
+    app.footer(
+        "Exit codes: 0 ok, 1 usage, 2 I/O, 3 malformed GLB, 4 malformed catalog, 5 unsupported, 6 over a "
+        "limit,\n"
+        "7 bad container or manifest, 8 mismatch, 9 some animals failed, 70 internal error, 130 "
+        "interrupted.");
+    app.allow_extras();
+    for (const Command& command : commands()) {
+        CLI::App* sub = app.add_subcommand(command.name, command.summary);
+        sub->fallthrough();
+        sub->allow_extras();
+        registered.push_back({sub, command.add(*sub)});
+    }
+}
+
+int parse_and_run(int argc, char** argv) {
+    CLI::App app(
+        "Animation palettes for crowds: every clip of every GLB sampled offline, with its error proven.",
+        "posepack");
+    std::vector<Registered> registered;
+    set_up(app, registered);
+    if (argc < 2) {
+        fmt::print(stderr, "{}", app.help());
+        return static_cast<int>(ExitCode::usage);
+    }
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& request) {  // help or version
+        return app.exit(request);
+    } catch (const CLI::ParseError& error) {
+        // A misspelt option often shows up as something else that is missing: name the word first.
+        for (const Registered& command : registered)
+            if (command.app->parsed() && !command.app->remaining().empty())
+                return refuse_word(*command.app, command.app->remaining().front());
+        return fail({IssueCode::usage, "", error.what()});
+    }
+    for (const Registered& command : registered) {
+        if (!command.app->parsed()) continue;
+        if (!command.app->remaining().empty())
+            return refuse_word(*command.app, command.app->remaining().front());
+        return command.run();
+    }
+    if (!app.remaining().empty()) return refuse_word(app, app.remaining().front());
+    return fail({IssueCode::usage, "", "expected a command"});
+}
+
+}  // namespace
+}  // namespace posepack::cli
+
+int main(int argc, char** argv) {
+    using posepack::base::ExitCode;
+    try {
+        return posepack::cli::parse_and_run(argc, argv);
+    } catch (const std::bad_alloc&) {
+        std::fputs("posepack: error[E-MEMORY]: the system gave no more memory; try: fewer --jobs\n", stderr);
+        return static_cast<int>(ExitCode::io);
+    } catch (const std::exception& exception) {
+        std::fprintf(stderr,
+                     "posepack: internal error: %s; please report this with the command line and the input\n",
+                     exception.what());
+        return static_cast<int>(ExitCode::internal);
+    }
+}

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "cli/options.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+
+namespace posepack::cli {
+namespace {
+
+using recipe::Caps;
+using recipe::Encoding;
+using recipe::RowPitch;
+using recipe::TexelFormat;
+using recipe::TexelOrder;
+
+// An option that takes one of the values' names and sets an optional of the overrides.
+template <class Enum>
+void add_choice(CLI::App& app, const std::string& flag, const std::string& help,
+                const std::shared_ptr<bake::CatalogSource>& source,
+                std::optional<Enum> recipe::OutputOverrides::*field, std::initializer_list<Enum> values) {
+    std::map<std::string, Enum> by_name;
+    std::string names;
+    for (const Enum value : values) {
+        by_name.emplace(name_of(value), value);
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", name_of(value));
+    }
+    app.add_option_function<std::string>(
+           flag,
+           [by_name, names, flag, source, field](const std::string& text) {
+               const auto found = by_name.find(text);
+               if (found == by_name.end())
+                   throw CLI::ValidationError(flag,
+                                              fmt::format("expected one of {}, found '{}'", names, text));
+               source->overrides.*field = found->second;
+           },
+           fmt::format("{}: {}", help, names))
+        ->group("Output")
+        ->type_name("NAME");
+}
+
+}  // namespace
+
+void add_catalog_options(CLI::App& app, const std::shared_ptr<bake::CatalogSource>& source) {
+    app.add_option("catalog", source->catalog, "Catalog of animals (JSON)")->required()->type_name("CATALOG");
+    app.add_option("--models", source->models,
+                   "Folder that the model paths start from (default: the catalog's)")
+        ->type_name("DIR");
+    app.add_option("--only", source->only, "Only these animals (ids, comma-separated)")
+        ->delimiter(',')
+        ->type_name("ID");
+}
+
+void add_output_options(CLI::App& app, const std::shared_ptr<bake::CatalogSource>& source) {
+    add_choice(app, "--encoding", "Form of a bone", source, &recipe::OutputOverrides::encoding,
+               {Encoding::mat4, Encoding::affine});
+    add_choice(app, "--texel-format", "Numbers of a texel", source, &recipe::OutputOverrides::texel_format,
+               {TexelFormat::rgba16f, TexelFormat::rgba32f});
+    add_choice(app, "--texel-order", "Order of a row's texels", source, &recipe::OutputOverrides::texel_order,
+               {TexelOrder::bone_major, TexelOrder::planar});
+    add_choice(app, "--row-pitch", "Bytes from line to line", source, &recipe::OutputOverrides::row_pitch,
+               {RowPitch::tight, RowPitch::align256});
+    add_choice(app, "--caps", "Largest texture: 4096 or 16384 texels a side", source,
+               &recipe::OutputOverrides::caps, {Caps::webgl2, Caps::desktop});
+    app.add_option("--rate", source->rate_hz,
+                   "Rows a second for every clip (default: each clip's own key grid)")
+        ->check(CLI::Range(1.0, 1000.0))
+        ->group("Output")
+        ->type_name("HZ");
+}
+
+void add_format_option(CLI::App& app, const std::shared_ptr<Format>& format, bool with_csv) {
+    const std::string names = with_csv ? "text, csv, json" : "text, json";
+    app.add_option_function<std::string>(
+           "--format",
+           [format, with_csv, names](const std::string& text) {
+               if (text == "text")
+                   *format = Format::text;
+               else if (text == "json")
+                   *format = Format::json;
+               else if (text == "csv" && with_csv)
+                   *format = Format::csv;
+               else
+                   throw CLI::ValidationError("--format",
+                                              fmt::format("expected one of {}, found '{}'", names, text));
+           },
+           fmt::format("Output on stdout: {} (default: text)", names))
+        ->type_name("NAME");
+}
+
+}  // namespace posepack::cli

@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: MIT */
+#include "format/half.h"
+
+#include "format/bytes.h"
+
+/* The magnitude `bits` (a float's bits without its sign) divided by 2^shift, nearest, ties to even. */
+static uint32_t shift_right_to_even(uint32_t bits, uint32_t shift) {
+    const uint32_t kept = bits >> shift;
+    const uint32_t rest = bits & ((1u << shift) - 1u);
+    const uint32_t tie = 1u << (shift - 1u);
+    return kept + (uint32_t)(rest > tie || (rest == tie && (kept & 1u) != 0));
+}
+
+uint16_t posepack_half_from_float(float value) {
+    const uint32_t bits = posepack_bits_from_float(value);
+    const uint32_t sign = (bits >> 16) & 0x8000u;
+    const uint32_t magnitude = bits & 0x7FFFFFFFu;
+    uint32_t half;
+    if (magnitude > 0x7F800000u) {
+        half = 0x7E00u | ((magnitude >> 13) & 0x3FFu);
+    } else if (magnitude >= 0x477FF000u) { /* 65520: halfway between 65504 and 65536 */
+        half = 0x7C00u;
+    } else if (magnitude >=
+               0x38800000u) { /* 2^-14: normal. A carry out of the fraction raises the exponent */
+        half = shift_right_to_even(magnitude - 0x38000000u, 13);
+    } else if (magnitude >= 0x33000000u) { /* 2^-25: subnormal, a count of 2^-24 */
+        half = shift_right_to_even((magnitude & 0x7FFFFFu) | 0x800000u, 126u - (magnitude >> 23));
+    } else {
+        half = 0;
+    }
+    return (uint16_t)(sign | half);
+}
+
+float posepack_float_from_half(uint16_t half) {
+    const uint32_t sign = ((uint32_t)half & 0x8000u) << 16;
+    const uint32_t exponent = ((uint32_t)half >> 10) & 31u;
+    uint32_t fraction = (uint32_t)half & 0x3FFu;
+    uint32_t shift = 0;
+    if (exponent == 31) return posepack_float_from_bits(sign | 0x7F800000u | (fraction << 13));
+    if (exponent != 0) return posepack_float_from_bits(sign | ((exponent + 112u) << 23) | (fraction << 13));
+    if (fraction == 0) return posepack_float_from_bits(sign);
+    while ((fraction & 0x400u) == 0) { /* a subnormal half is a normal float: find its leading one */
+        fraction <<= 1;
+        ++shift;
+    }
+    return posepack_float_from_bits(sign | ((113u - shift) << 23) | ((fraction & 0x3FFu) << 13));
+}

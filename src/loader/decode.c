@@ -1,0 +1,177 @@
+/* SPDX-License-Identifier: MIT */
+/* Pixels: the rules of the pixel section, and bone-rows as matrices. */
+#include "format/bytes.h"
+#include "format/half.h"
+#include "loader/internal.h"
+
+posepack_texel_layout posepack_view_layout(const posepack_view* view) {
+    posepack_texel_layout layout;
+    layout.bone_count = view->header.bone_count;
+    layout.texels_per_bone = view->header.texels_per_bone;
+    layout.texel_order = view->header.texel_order;
+    layout.texel_bytes = posepack_texel_bytes(view->header.texel_format);
+    layout.rows_per_line = view->header.rows_per_line;
+    layout.row_pitch_bytes = view->header.row_pitch_bytes;
+    return layout;
+}
+
+static const uint8_t* pixels(const posepack_view* view) {
+    return posepack_section_span(view, view->pixl_section).data;
+}
+
+static int geometry_is_valid(const posepack_view* view, uint32_t row_bytes) {
+    const posepack_header* h = &view->header;
+    const uint64_t raw_bytes = view->sections[view->pixl_section].raw_bytes;
+    const uint64_t row_texels = (uint64_t)h->bone_count * h->texels_per_bone;
+    const uint64_t tight_bytes = (uint64_t)h->rows_per_line * row_bytes;
+    const uint64_t padded_bytes = (tight_bytes + 255u) & ~(uint64_t)255u;
+    if (h->rows_per_line < 1 || h->rows_per_line > h->row_count) return 0;
+    return h->texture_width_texels == h->rows_per_line * row_texels &&
+           h->texture_height_texels == (h->row_count + h->rows_per_line - 1) / h->rows_per_line &&
+           (h->row_pitch_bytes == tight_bytes || h->row_pitch_bytes == padded_bytes) &&
+           raw_bytes == (uint64_t)h->row_pitch_bytes * h->texture_height_texels &&
+           raw_bytes <= POSEPACK_MAX_FILE_BYTES;
+}
+
+/*
+ * No infinity and no NaN, four halves or two floats at a time: adding one to an exponent field
+ * carries into the sign's place only where the field is all ones.
+ */
+static int all_texels_finite(const uint8_t* texels, uint32_t size, int is_half) {
+    const uint64_t exponents = is_half ? 0x7C007C007C007C00u : 0x7F8000007F800000u;
+    const uint64_t ones = is_half ? 0x0400040004000400u : 0x0080000000800000u;
+    uint64_t carries = 0;
+    uint32_t at;
+    for (at = 0; at < size; at += 8) carries |= (posepack_read_u64(texels + at) & exponents) + ones;
+    return (carries & (is_half ? 0x8000800080008000u : 0x8000000080000000u)) == 0;
+}
+
+/* A mat4 is affine: the fourth component of its columns is exactly 0, 0, 0, 1. */
+static int bottom_row_is_affine(const uint8_t* row, const posepack_texel_layout* layout, int is_half) {
+    const uint32_t bone_step = layout->texel_order == POSEPACK_ORDER_PLANAR ? 1 : 4;
+    const uint32_t k_step = layout->texel_order == POSEPACK_ORDER_PLANAR ? layout->bone_count : 1;
+    const uint32_t one = is_half ? POSEPACK_HALF_ONE : 0x3F800000u;
+    uint32_t bone, k;
+    for (bone = 0; bone < layout->bone_count; ++bone) {
+        for (k = 0; k < 4; ++k) {
+            const uint8_t* texel = row + (bone * bone_step + k * k_step) * layout->texel_bytes;
+            const uint32_t w = is_half ? posepack_read_u16(texel + 6) : posepack_read_u32(texel + 12);
+            if (w != (k == 3 ? one : 0)) return 0;
+        }
+    }
+    return 1;
+}
+
+static int is_equal(const uint8_t* a, const uint8_t* b, uint32_t size) {
+    uint32_t i;
+    for (i = 0; i < size; ++i) {
+        if (a[i] != b[i]) return 0;
+    }
+    return 1;
+}
+
+/* One texture line: its rows, the places behind the last row, and the fill up to the pitch. */
+static posepack_result check_line(const posepack_view* view, const posepack_texel_layout* layout,
+                                  uint32_t line, uint32_t row_bytes) {
+    const int is_half = view->header.texel_format == POSEPACK_TEXEL_RGBA16F;
+    const uint32_t used_bytes = layout->rows_per_line * row_bytes;
+    const uint8_t* start = pixels(view) + (uint64_t)line * layout->row_pitch_bytes;
+    const uint8_t* last = NULL;
+    uint32_t column;
+    if (!all_texels_finite(start, used_bytes, is_half)) return POSEPACK_ERROR_SEMANTIC;
+    for (column = 0; column < layout->rows_per_line; ++column) {
+        const uint8_t* row = start + column * row_bytes;
+        if (line * layout->rows_per_line + column >= view->header.row_count) {
+            /* Blending may read one row too far: what it finds there must be a pose. */
+            if (!is_equal(row, last, row_bytes)) return POSEPACK_ERROR_SEMANTIC;
+        } else if (view->header.encoding == POSEPACK_ENCODING_MAT4 &&
+                   !bottom_row_is_affine(row, layout, is_half)) {
+            return POSEPACK_ERROR_SEMANTIC;
+        } else {
+            last = row;
+        }
+    }
+    if (!posepack_all_zero(start + used_bytes, layout->row_pitch_bytes - used_bytes)) {
+        return POSEPACK_ERROR_PADDING;
+    }
+    return POSEPACK_OK;
+}
+
+posepack_result posepack_check_pixels(const posepack_view* view) {
+    const posepack_texel_layout layout = posepack_view_layout(view);
+    const uint32_t row_bytes = layout.bone_count * layout.texels_per_bone * layout.texel_bytes;
+    uint32_t line;
+    if (!geometry_is_valid(view, row_bytes)) return POSEPACK_ERROR_SEMANTIC;
+    if (view->sections[view->pixl_section].flags != POSEPACK_CODEC_NONE) return POSEPACK_ERROR_NEEDS_DECODE;
+    for (line = 0; line < view->header.texture_height_texels; ++line) {
+        const posepack_result result = check_line(view, &layout, line, row_bytes);
+        if (result != POSEPACK_OK) return result;
+    }
+    return POSEPACK_OK;
+}
+
+posepack_result posepack_get_texels(const posepack_view* view, posepack_texels* texels) {
+    if (view == NULL || view->bytes == NULL || texels == NULL) return POSEPACK_ERROR_ARG;
+    texels->data = pixels(view);
+    texels->size_bytes = (size_t)view->sections[view->pixl_section].stored_bytes;
+    texels->width_texels = view->header.texture_width_texels;
+    texels->height_texels = view->header.texture_height_texels;
+    texels->row_pitch_bytes = view->header.row_pitch_bytes;
+    texels->format = view->header.texel_format;
+    return POSEPACK_OK;
+}
+
+/* The four components of one RGBA16F or RGBA32F texel. */
+static void read_texel(const uint8_t* texel, uint32_t texel_bytes, float out[4]) {
+    uint32_t c;
+    for (c = 0; c < 4; ++c) {
+        out[c] = texel_bytes == 8 ? posepack_float_from_half(posepack_read_u16(texel + 2 * c))
+                                  : posepack_read_f32(texel + 4 * c);
+    }
+}
+
+/* Texels of one bone, `k_step` bytes apart, to a 3x4 matrix: columns of a mat4, rows of an affine. */
+static void decode_texels(const uint8_t* texel, uint32_t k_step, const posepack_texel_layout* layout,
+                          float* matrix) {
+    float column[4];
+    uint32_t k;
+    for (k = 0; k < layout->texels_per_bone; ++k) {
+        if (layout->texels_per_bone == 3) {
+            read_texel(texel + k * k_step, layout->texel_bytes, matrix + 4 * k);
+        } else {
+            read_texel(texel + k * k_step, layout->texel_bytes, column);
+            matrix[k] = column[0];
+            matrix[4 + k] = column[1];
+            matrix[8 + k] = column[2];
+        }
+    }
+}
+
+static uint32_t texel_step(const posepack_texel_layout* layout) {
+    return layout->texel_order == POSEPACK_ORDER_PLANAR ? layout->bone_count * layout->texel_bytes
+                                                        : layout->texel_bytes;
+}
+
+posepack_result posepack_decode_bone(const posepack_view* view, uint32_t row, uint32_t bone,
+                                     float matrix[12]) {
+    posepack_texel_layout layout;
+    if (view == NULL || view->bytes == NULL || matrix == NULL) return POSEPACK_ERROR_ARG;
+    if (row >= view->header.row_count || bone >= view->header.bone_count) return POSEPACK_ERROR_INDEX;
+    layout = posepack_view_layout(view);
+    decode_texels(pixels(view) + posepack_texel_offset(&layout, row, bone, 0), texel_step(&layout), &layout,
+                  matrix);
+    return POSEPACK_OK;
+}
+
+posepack_result posepack_decode_row(const posepack_view* view, uint32_t row, float* matrices) {
+    posepack_texel_layout layout;
+    uint32_t bone;
+    if (view == NULL || view->bytes == NULL || matrices == NULL) return POSEPACK_ERROR_ARG;
+    if (row >= view->header.row_count) return POSEPACK_ERROR_INDEX;
+    layout = posepack_view_layout(view);
+    for (bone = 0; bone < layout.bone_count; ++bone) {
+        decode_texels(pixels(view) + posepack_texel_offset(&layout, row, bone, 0), texel_step(&layout),
+                      &layout, matrices + 12 * bone);
+    }
+    return POSEPACK_OK;
+}

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: MIT
+#include "measure/measure_error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "measure/decoded_rows.hpp"
+#include "measure/skin_difference.hpp"
+
+namespace posepack::measure {
+namespace {
+
+using animal::Animal;
+using motion::Affine;
+using motion::SkinSet;
+using palette::ClipError;
+
+constexpr double kEqualTimesS = 1e-6;
+constexpr double kDegrees = 180.0 / 3.14159265358979323846;
+
+// The largest value so far, the time it was seen and the set entry it was seen at.
+struct Worst {
+    float square = -1.0f;
+    double time_s = 0.0;
+    std::uint32_t entry = 0;
+
+    void take(const LaneWorst& lanes, std::span<const double> times_s) {
+        for (std::size_t l = 0; l < times_s.size(); ++l)
+            if (lanes.value[l] > square) *this = {lanes.value[l], times_s[l], lanes.entry[l]};
+    }
+};
+
+// What one clip, or all of them, add up to.
+struct Tally {
+    Histogram distances, tangents;  // squared
+    double sum = 0.0;               // of squared distances
+    std::uint64_t point_samples = 0, normal_samples = 0;
+
+    void clear() {
+        distances.clear();
+        tangents.clear();
+        sum = 0.0;
+        point_samples = normal_samples = 0;
+    }
+    void add(const Tally& other) {
+        distances.add(other.distances);
+        tangents.add(other.tangents);
+        sum += other.sum;
+        point_samples += other.point_samples;
+        normal_samples += other.normal_samples;
+    }
+};
+
+double degrees_of_tangent_square(double square) {
+    return square >= static_cast<double>(kRightAngle) ? 180.0 : std::atan(std::sqrt(square)) * kDegrees;
+}
+
+struct Place {
+    std::uint32_t mesh, vertex;
+};
+
+Place place_of(const Animal& animal, const SkinSet& set, std::uint32_t entry) {
+    const std::uint32_t vertex = set.vertices[entry];
+    std::uint32_t mesh = 0;
+    while (vertex - animal.meshes[mesh].first_vertex >= animal.meshes[mesh].vertex_count ||
+           vertex < animal.meshes[mesh].first_vertex)
+        ++mesh;
+    return {mesh, vertex - animal.meshes[mesh].first_vertex};
+}
+
+// Measures one clip after the other with buffers that are made once.
+class ClipMeter {
+ public:
+    ClipMeter(const Animal& animal, const palette::Palette& palette, const posepack_view& view,
+              const SkinSet& points, const SkinSet& normals)
+        : animal_(animal),
+          palette_(palette),
+          points_(points),
+          normals_(normals),
+          rows_(view),
+          bones_(animal.bones.size()),
+          blended_(animal.bones.size() * 12) {
+        difference_.values.resize(animal.bones.size() * 12 * kLanes);
+        exact_.values.resize(animal.bones.size() * 9 * kLanes);
+    }
+
+    ClipError measure(const palette::PaletteClip& clip, Tally& tally) {
+        motion::ClipSampler sampler(animal_, animal_.clips[clip.source]);
+        const std::vector<double> times_s = test_times_s(clip.plan, sampler.key_times_s());
+        Worst worst_point, worst_normal;
+        for (std::size_t first = 0; first < times_s.size(); first += kLanes) {
+            const auto batch = std::span(times_s).subspan(first, std::min(kLanes, times_s.size() - first));
+            for (std::size_t l = 0; l < batch.size(); ++l) fill_lane(sampler, clip, batch[l], l);
+            worst_point.take(measure_points(points_, difference_, batch.size(), tally.distances, tally.sum),
+                             batch);
+            worst_normal.take(measure_normals(normals_, difference_, exact_, batch.size(), tally.tangents),
+                              batch);
+            tally.point_samples += batch.size() * points_.size();
+            tally.normal_samples += batch.size() * normals_.size();
+        }
+        ClipError error = figures(tally);
+        locate(sampler, clip, worst_point, worst_normal, error);
+        return error;
+    }
+
+    // The figures of a tally; places are left out.
+    ClipError figures(const Tally& tally) const {
+        const double radius = palette_.radius > 0.0 ? palette_.radius : 1.0;
+        ClipError error;
+        error.p999 =
+            static_cast<float>(std::sqrt(static_cast<double>(tally.distances.percentile(0.999))) / radius);
+        if (tally.point_samples > 0)
+            error.rms =
+                static_cast<float>(std::sqrt(tally.sum / static_cast<double>(tally.point_samples)) / radius);
+        error.normal_p999_deg = static_cast<float>(
+            degrees_of_tangent_square(static_cast<double>(tally.tangents.percentile(0.999))));
+        error.normal_rms_deg = static_cast<float>(std::sqrt(tally.tangents.mean([](double square) {
+            const double degrees = degrees_of_tangent_square(square);
+            return degrees * degrees;
+        })));
+        return error;
+    }
+
+ private:
+    // Exact matrices, and their difference to what is read, at one time.
+    void fill_lane(motion::ClipSampler& sampler, const palette::PaletteClip& clip, double time_s,
+                   std::size_t lane) {
+        sampler.sample(time_s, bones_);
+        const motion::RowBlend blend = clip.plan.rows_at(time_s);
+        rows_.blend(clip.first_row + blend.row0, clip.first_row + blend.row1,
+                    static_cast<float>(blend.factor), blended_);
+        for (std::size_t b = 0; b < bones_.size(); ++b)
+            for (int r = 0; r < 3; ++r) {
+                for (int c = 0; c < 4; ++c) {
+                    const double exact = c < 3 ? bones_[b].linear[c][r] : bones_[b].translation[r];
+                    const std::size_t e = b * 12 + static_cast<std::size_t>(r * 4 + c);
+                    difference_.values[e * kLanes + lane] =
+                        static_cast<float>(static_cast<double>(blended_[e]) - exact);
+                }
+                for (int c = 0; c < 3; ++c)
+                    exact_.values[(b * 9 + static_cast<std::size_t>(r * 3 + c)) * kLanes + lane] =
+                        static_cast<float>(bones_[b].linear[c][r]);
+            }
+    }
+
+    // The bone that moves the worst vertex furthest from its place, weights taken into account.
+    std::uint32_t blamed_bone(const SkinSet& set, std::uint32_t entry, bool is_point) const {
+        std::uint32_t worst = set.bones[entry][0];
+        double largest = -1.0;
+        const auto& v = set.vectors[entry];
+        for (std::size_t k = 0; k < animal::kMaxInfluences; ++k) {
+            if (set.weights[entry][k] <= 0.0f) break;
+            double square = 0.0;
+            for (std::size_t r = 0; r < 3; ++r) {
+                const float* m =
+                    &difference_.values[(std::size_t{set.bones[entry][k]} * 12 + r * 4) * kLanes];
+                double sum = is_point ? static_cast<double>(m[3 * kLanes]) : 0.0;
+                for (std::size_t c = 0; c < 3; ++c) sum += static_cast<double>(m[c * kLanes]) * v[c];
+                square += sum * sum * set.weights[entry][k] * set.weights[entry][k];
+            }
+            if (square > largest) {
+                largest = square;
+                worst = set.bones[entry][k];
+            }
+        }
+        return worst;
+    }
+
+    void locate(motion::ClipSampler& sampler, const palette::PaletteClip& clip, const Worst& point,
+                const Worst& normal, ClipError& error) {
+        if (point.square >= 0.0f) {
+            const Place place = place_of(animal_, points_, point.entry);
+            fill_lane(sampler, clip, point.time_s, 0);
+            const double radius = palette_.radius > 0.0 ? palette_.radius : 1.0;
+            error.max = static_cast<float>(std::sqrt(static_cast<double>(point.square)) / radius);
+            error.p999 = std::min(error.p999, error.max);
+            error.time_s = static_cast<float>(point.time_s);
+            error.mesh = place.mesh;
+            error.vertex = place.vertex;
+            error.bone = blamed_bone(points_, point.entry, true);
+        }
+        if (normal.square >= 0.0f) {
+            const Place place = place_of(animal_, normals_, normal.entry);
+            fill_lane(sampler, clip, normal.time_s, 0);
+            error.normal_max_deg =
+                static_cast<float>(degrees_of_tangent_square(static_cast<double>(normal.square)));
+            error.normal_p999_deg = std::min(error.normal_p999_deg, error.normal_max_deg);
+            error.normal_time_s = static_cast<float>(normal.time_s);
+            error.normal_mesh = place.mesh;
+            error.normal_vertex = place.vertex;
+            error.normal_bone = blamed_bone(normals_, normal.entry, false);
+        }
+    }
+
+    const Animal& animal_;
+    const palette::Palette& palette_;
+    const SkinSet& points_;
+    const SkinSet& normals_;
+    DecodedRows rows_;
+    std::vector<Affine> bones_;
+    std::vector<float> blended_;
+    LaneMatrices difference_, exact_;
+};
+
+}  // namespace
+
+std::vector<double> test_times_s(const motion::RowPlan& plan, std::span<const double> key_times_s) {
+    std::vector<double> marks(key_times_s.begin(), key_times_s.end());
+    for (std::uint32_t row = 0; row < plan.row_count; ++row)
+        if (plan.row_time_s(row) <= plan.duration_s) marks.push_back(plan.row_time_s(row));
+    marks.push_back(plan.duration_s);
+    std::sort(marks.begin(), marks.end());
+    // A key that float32 moved by a hair is the row that was meant for it.
+    marks.erase(
+        std::unique(marks.begin(), marks.end(), [](double a, double b) { return b - a < kEqualTimesS; }),
+        marks.end());
+    std::vector<double> times_s;
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+        if (i > 0) times_s.push_back(0.5 * (marks[i - 1] + marks[i]));
+        times_s.push_back(marks[i]);
+    }
+    return times_s;
+}
+
+base::Result<ErrorStats> measure_error(const Animal& animal, const palette::Palette& palette,
+                                       std::span<const std::uint8_t> container, const SkinSet& points,
+                                       const SkinSet& normals) {
+    posepack_view view;
+    if (const posepack_result result = posepack_open(&view, container.data(), container.size());
+        result != POSEPACK_OK)
+        return base::Issue{
+            base::IssueCode::pack_invalid, "",
+            fmt::format("the loader refuses the bytes just written: {}", posepack_result_name(result))};
+    ClipMeter meter(animal, palette, view, points, normals);
+    ErrorStats stats;
+    Tally all, one;
+    for (std::uint32_t c = 0; c < palette.clips.size(); ++c) {
+        one.clear();
+        const ClipError error = meter.measure(palette.clips[c], one);
+        all.add(one);
+        if (stats.clips.empty() || error.max > stats.clips[stats.worst_clip].max) stats.worst_clip = c;
+        stats.clips.push_back(error);
+    }
+    stats.pooled = stats.clips.empty() ? ClipError{} : stats.clips[stats.worst_clip];
+    const ClipError pooled = meter.figures(all);
+    stats.pooled.p999 = std::min(pooled.p999, stats.pooled.max);
+    stats.pooled.rms = pooled.rms;
+    stats.pooled.normal_rms_deg = pooled.normal_rms_deg;
+    for (const ClipError& clip : stats.clips)
+        stats.pooled.normal_max_deg = std::max(stats.pooled.normal_max_deg, clip.normal_max_deg);
+    stats.pooled.normal_p999_deg = std::min(pooled.normal_p999_deg, stats.pooled.normal_max_deg);
+    stats.point_samples = all.point_samples;
+    stats.normal_samples = all.normal_samples;
+    return stats;
+}
+
+}  // namespace posepack::measure

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// The true error of a container: what a reader of its bytes draws, against the source curves.
+//
+// For every clip, at its rows, at its source keys and at the midpoints of all of these, the rows are decoded
+// by the shipped loader, blended in float as a shader does, and compared with the glTF curves in double
+// precision, at every different vertex and normal. docs/error_metric.md says what this sees and what it
+// cannot.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "animal/animal.hpp"
+#include "base/result.hpp"
+#include "motion/skin_set.hpp"
+#include "palette/palette.hpp"
+
+namespace posepack::measure {
+
+struct ErrorStats {
+    std::vector<palette::ClipError> clips;  // in the order of the palette's clips
+    palette::ClipError pooled;              // over all clips: the worst place is in clip `worst_clip`
+    std::uint32_t worst_clip = 0;
+    std::uint64_t point_samples = 0;  // (times x points) compared
+    std::uint64_t normal_samples = 0;
+};
+
+// Measures `container` (bytes of write_container) against `animal`.
+//   palette  tells the plan of each clip; its pixels are not looked at
+//   points, normals  of the animal
+// Errors: E-PACK-INVALID when the loader refuses the bytes.
+base::Result<ErrorStats> measure_error(const animal::Animal& animal, const palette::Palette& palette,
+                                       std::span<const std::uint8_t> container, const motion::SkinSet& points,
+                                       const motion::SkinSet& normals);
+
+// The times at which a clip is measured, seconds from its first key, rising: rows, keys and midpoints.
+std::vector<double> test_times_s(const motion::RowPlan& plan, std::span<const double> key_times_s);
+
+}  // namespace posepack::measure

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "measure/skin_difference.hpp"
+
+namespace posepack::measure {
+namespace {
+
+using Lanes = std::array<float, kLanes>;
+
+// sum += weight * (m[0] x + m[1] y + m[2] z + offset), lane by lane. `m` points at three elements of a row.
+inline void add_row(const float* m, float wx, float wy, float wz, Lanes& sum) {
+    for (std::size_t l = 0; l < kLanes; ++l)
+        sum[l] += m[l] * wx + m[kLanes + l] * wy + m[2 * kLanes + l] * wz;
+}
+
+inline void add_scaled(const float* m, float w, Lanes& sum) {
+    for (std::size_t l = 0; l < kLanes; ++l) sum[l] += m[l] * w;
+}
+
+inline void keep_largest(const Lanes& value, std::uint32_t entry, LaneWorst& worst) {
+    for (std::size_t l = 0; l < kLanes; ++l) {
+        const bool larger = value[l] > worst.value[l];
+        worst.value[l] = larger ? value[l] : worst.value[l];
+        worst.entry[l] = larger ? entry : worst.entry[l];
+    }
+}
+
+}  // namespace
+
+LaneWorst measure_points(const motion::SkinSet& set, const LaneMatrices& difference, std::size_t lane_count,
+                         Histogram& histogram, double& sum) {
+    LaneWorst worst;
+    std::array<double, kLanes> sums{};
+    for (std::size_t influences = 1; influences + 1 < set.first.size(); ++influences)
+        for (std::uint32_t i = set.first[influences]; i < set.first[influences + 1]; ++i) {
+            Lanes x{}, y{}, z{}, square{};
+            for (std::size_t k = 0; k < influences; ++k) {
+                const float* m = &difference.values[std::size_t{set.bones[i][k]} * 12 * kLanes];
+                const float w = set.weights[i][k];
+                const float wx = w * set.vectors[i][0];
+                const float wy = w * set.vectors[i][1];
+                const float wz = w * set.vectors[i][2];
+                add_row(m, wx, wy, wz, x);
+                add_scaled(m + 3 * kLanes, w, x);
+                add_row(m + 4 * kLanes, wx, wy, wz, y);
+                add_scaled(m + 7 * kLanes, w, y);
+                add_row(m + 8 * kLanes, wx, wy, wz, z);
+                add_scaled(m + 11 * kLanes, w, z);
+            }
+            for (std::size_t l = 0; l < kLanes; ++l) square[l] = x[l] * x[l] + y[l] * y[l] + z[l] * z[l];
+            for (std::size_t l = 0; l < kLanes; ++l) sums[l] += static_cast<double>(square[l]);
+            keep_largest(square, i, worst);
+            for (std::size_t l = 0; l < lane_count; ++l) histogram.add(square[l]);
+        }
+    for (std::size_t l = 0; l < lane_count; ++l) sum += sums[l];
+    return worst;
+}
+
+LaneWorst measure_normals(const motion::SkinSet& set, const LaneMatrices& difference,
+                          const LaneMatrices& exact, std::size_t lane_count, Histogram& histogram) {
+    LaneWorst worst;
+    for (std::size_t influences = 1; influences + 1 < set.first.size(); ++influences)
+        for (std::uint32_t i = set.first[influences]; i < set.first[influences + 1]; ++i) {
+            Lanes dx{}, dy{}, dz{}, ex{}, ey{}, ez{}, square{};
+            for (std::size_t k = 0; k < influences; ++k) {
+                const float* d = &difference.values[std::size_t{set.bones[i][k]} * 12 * kLanes];
+                const float* e = &exact.values[std::size_t{set.bones[i][k]} * 9 * kLanes];
+                const float wx = set.weights[i][k] * set.vectors[i][0];
+                const float wy = set.weights[i][k] * set.vectors[i][1];
+                const float wz = set.weights[i][k] * set.vectors[i][2];
+                add_row(d, wx, wy, wz, dx);
+                add_row(d + 4 * kLanes, wx, wy, wz, dy);
+                add_row(d + 8 * kLanes, wx, wy, wz, dz);
+                add_row(e, wx, wy, wz, ex);
+                add_row(e + 3 * kLanes, wx, wy, wz, ey);
+                add_row(e + 6 * kLanes, wx, wy, wz, ez);
+            }
+            for (std::size_t l = 0; l < kLanes; ++l) {
+                // tan(angle) = |E x (E + D)| / E.(E + D), and E x E is zero: no cancellation for small D.
+                const float cx = ey[l] * dz[l] - ez[l] * dy[l];
+                const float cy = ez[l] * dx[l] - ex[l] * dz[l];
+                const float cz = ex[l] * dy[l] - ey[l] * dx[l];
+                const float cross = cx * cx + cy * cy + cz * cz;
+                const float dot = ex[l] * (ex[l] + dx[l]) + ey[l] * (ey[l] + dy[l]) + ez[l] * (ez[l] + dz[l]);
+                const float tangent = cross / (dot * dot);
+                // Written so that NaN (0 / 0: a normal that vanishes) and infinity end as a right angle too.
+                square[l] = dot > 0.0f && tangent < kRightAngle ? tangent : kRightAngle;
+            }
+            keep_largest(square, i, worst);
+            for (std::size_t l = 0; l < lane_count; ++l) histogram.add(square[l]);
+        }
+    return worst;
+}
+
+}  // namespace posepack::measure

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// Palette: the baked rows of an animal and everything a container says about them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "animal/animal.hpp"
+#include "motion/row_plan.hpp"
+#include "palette/bounds.hpp"
+#include "palette/layout.hpp"
+#include "recipe/catalog.hpp"
+
+namespace posepack::palette {
+
+struct PaletteClip {
+    std::uint32_t source = 0;  // index into Animal::clips
+    motion::RowPlan plan;
+    std::uint32_t first_row = 0;
+    double speed_mps = 0.0;
+    double stride_phase = 0.0;
+    Box bounds;
+};
+
+struct PaletteState {
+    std::string name;
+    std::uint32_t clip = 0;  // index into Palette::clips
+};
+
+struct Palette {
+    Layout layout;
+    std::vector<PaletteClip> clips;
+    std::vector<PaletteState> states;             // sorted by name
+    std::uint32_t default_state = animal::kNone;  // index into states
+    recipe::ForwardAxis forward = recipe::ForwardAxis::plus_z;
+    double metres_per_unit = 1.0;
+    double radius = 0.0;  // R in model units
+    std::vector<std::uint8_t> pixels;
+};
+
+// Measured error of one clip, as the container stores it. Lengths as fractions of R, angles in degrees.
+struct ClipError {
+    float max = 0, p999 = 0, rms = 0, time_s = 0;
+    std::uint32_t mesh = animal::kNone, vertex = animal::kNone, bone = animal::kNone;
+    float normal_max_deg = 0, normal_p999_deg = 0, normal_rms_deg = 0, normal_time_s = 0;
+    std::uint32_t normal_mesh = animal::kNone, normal_vertex = animal::kNone, normal_bone = animal::kNone;
+};
+
+}  // namespace posepack::palette

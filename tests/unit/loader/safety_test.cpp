@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+// Damage and hostility: truncation, growth, flipped bits, and bytes that change behind an open view. All
+// reads happen in a buffer that ends at an unreadable page.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "container_builder.hpp"
+#include "guarded_bytes.hpp"
+#include "posepack/loader.h"
+
+namespace posepack::test {
+namespace {
+
+void flip_bit(Bytes& bytes, std::size_t bit) {
+    bytes[bit / 8] ^= static_cast<std::uint8_t>(1u << (bit % 8));
+}
+
+// Adds up the bytes of a string, so that each one is read.
+std::uint32_t touch(posepack_string text) {
+    std::uint32_t sum = 0;
+    for (std::uint32_t i = 0; i < text.size_bytes; ++i) sum += static_cast<std::uint8_t>(text.data[i]);
+    return sum;
+}
+
+// Calls every accessor with every index and some that are out of range, and reads all that comes back.
+std::uint32_t read_everything(const posepack_view& view) {
+    std::uint32_t sum = 0, index = 0, count = 0, clip_index = 0;
+    posepack_clip clip;
+    posepack_bone bone;
+    posepack_state state;
+    posepack_mesh mesh;
+    posepack_space space;
+    for (std::uint32_t i = 0; i <= view.header.clip_count; ++i) {
+        if (posepack_get_clip(&view, i, &clip) != POSEPACK_OK) continue;
+        sum += touch(clip.name) + touch(clip.source_name);
+        for (std::uint32_t cut = 0; cut < 4; ++cut) {
+            if (posepack_get_cut(&view, i, cut, &index) == POSEPACK_OK) sum += index;
+        }
+        if (posepack_get_cut(&view, i, clip.cut_count - 1, &index) == POSEPACK_OK) sum += index;
+    }
+    for (std::uint32_t i = 0; i <= view.header.bone_count; ++i) {
+        if (posepack_get_bone(&view, i, &bone) == POSEPACK_OK) sum += touch(bone.name);
+    }
+    posepack_count_states(&view, &count, &index);
+    for (std::uint32_t i = 0; i <= count; ++i) {
+        if (posepack_get_state(&view, i, &state) == POSEPACK_OK) sum += touch(state.name);
+    }
+    posepack_get_space(&view, &space);
+    for (std::uint32_t i = 0; i <= space.mesh_count; ++i) {
+        if (posepack_get_mesh(&view, i, &mesh) != POSEPACK_OK) continue;
+        sum += touch(mesh.name);
+        for (const std::uint32_t joint : {0u, 1u, 2u, 5u, mesh.joint_count - 1}) {
+            if (posepack_map_joint(&view, i, joint, &index) == POSEPACK_OK) {
+                EXPECT_LT(index, view.header.bone_count);
+            }
+        }
+    }
+    for (const char* name : {"walk", "tail", "stand", "no such name"}) {
+        posepack_find_clip(&view, name, &clip_index);
+        posepack_find_state(&view, name, &clip_index);
+        posepack_find_bone(&view, name, &clip_index);
+    }
+    for (std::uint32_t row = 0; row <= view.header.row_count; ++row) {
+        float matrices[12 * kTinyBoneCount];
+        posepack_decode_row(&view, row, matrices);
+    }
+    return sum;
+}
+
+TEST(Safety, EveryTruncationIsRefused) {
+    const Bytes bytes = make_container();
+    GuardedBytes memory(bytes.size());
+    posepack_view view;
+    for (std::size_t size = 0; size < bytes.size(); ++size) {
+        const posepack_result result = posepack_open(&view, memory.place(bytes.data(), size), size);
+        ASSERT_EQ(result, size < POSEPACK_HEADER_BYTES ? POSEPACK_ERROR_TOO_SMALL : POSEPACK_ERROR_SIZE)
+            << size;
+    }
+    EXPECT_EQ(posepack_open(&view, memory.place(bytes.data(), bytes.size()), bytes.size()), POSEPACK_OK);
+}
+
+TEST(Safety, EveryTruncationWithAnHonestSizeIsRefused) {
+    const Bytes bytes = make_container();
+    GuardedBytes memory(bytes.size());
+    for (std::size_t size = POSEPACK_HEADER_BYTES; size < bytes.size(); ++size) {
+        Bytes cut(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
+        put_u64(cut, POSEPACK_HDR_FILE_BYTES, size);
+        seal_header(cut);
+        posepack_view view;
+        const posepack_result result = posepack_open(&view, memory.place(cut.data(), size), size);
+        ASSERT_EQ(result, POSEPACK_ERROR_SECTION) << size;
+    }
+}
+
+TEST(Safety, GrowthIsRefused) {
+    Bytes bytes = make_container();
+    const std::size_t size = bytes.size();
+    bytes.resize(size + 4096);
+    posepack_view view;
+    for (std::size_t more = 1; more <= 4096; ++more) {
+        ASSERT_EQ(posepack_open(&view, bytes.data(), size + more), POSEPACK_ERROR_SIZE) << more;
+    }
+}
+
+TEST(Safety, EverySingleBitFlipIsRefused) {
+    Bytes bytes = make_container();
+    int refused = 0;
+    for (std::size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
+        flip_bit(bytes, bit);
+        posepack_view view;
+        ASSERT_NE(posepack_open(&view, bytes.data(), bytes.size()), POSEPACK_OK) << "bit " << bit;
+        flip_bit(bytes, bit);
+        ++refused;
+    }
+    EXPECT_EQ(refused, static_cast<int>(8 * bytes.size()));
+}
+
+// With every checksum repaired a flip may be legal, but nothing behind it may read outside the buffer.
+TEST(Safety, SealedBitFlipsNeverReadOutside) {
+    const Bytes good = make_container();
+    GuardedBytes memory(good.size());
+    int opened = 0;
+    for (std::size_t bit = 0; bit < 8 * good.size(); ++bit) {
+        if (bit / 8 >= 1200 && bit / 8 < 4096) continue; // fill: covered by the test above
+        Bytes bytes = good;
+        flip_bit(bytes, bit);
+        seal(bytes);
+        posepack_view view;
+        if (posepack_open(&view, memory.place(bytes.data(), bytes.size()), bytes.size()) == POSEPACK_OK) {
+            read_everything(view);
+            ++opened;
+        }
+    }
+    EXPECT_GT(opened, 1000); // recipe, node numbers, finite floats
+}
+
+TEST(Safety, BytesThatChangeAfterOpenNeverReadOutside) {
+    const Bytes good = make_container();
+    constexpr unsigned kSeed = 20240229;
+    std::mt19937 random(kSeed);
+    GuardedBytes memory(good.size());
+    posepack_view view;
+    for (int round = 0; round < 4000; ++round) {
+        std::uint8_t* bytes = memory.place(good.data(), good.size());
+        ASSERT_EQ(posepack_open(&view, bytes, good.size()), POSEPACK_OK);
+        const std::uint32_t changes = 1 + random() % 64;
+        for (std::uint32_t i = 0; i < changes; ++i) {
+            constexpr std::uint8_t kHostile[] = {0x00, 0x01, 0x7F, 0x80, 0xFF};
+            bytes[random() % 1200] = kHostile[random() % 5];
+        }
+        read_everything(view);
+    }
+    SUCCEED() << "seed " << kSeed;
+}
+
+TEST(Safety, TablesFilledWithOnesOrZerosAfterOpen) {
+    const Bytes good = make_container();
+    GuardedBytes memory(good.size());
+    posepack_view view;
+    for (const std::uint8_t fill : {0x00, 0xFF}) {
+        for (const std::uint32_t type : {POSEPACK_SECTION_CLIP, POSEPACK_SECTION_STAT, POSEPACK_SECTION_BONE,
+                                         POSEPACK_SECTION_SPAC, POSEPACK_SECTION_STRS}) {
+            std::uint8_t* bytes = memory.place(good.data(), good.size());
+            ASSERT_EQ(posepack_open(&view, bytes, good.size()), POSEPACK_OK);
+            const std::size_t begin = section_offset(good, type);
+            const std::size_t size = get_u64(good, entry_offset(good, type) + POSEPACK_ENT_STORED_BYTES);
+            std::fill_n(bytes + begin, size, fill);
+            read_everything(view);
+        }
+    }
+}
+
+TEST(Safety, ANameThatMovedOutOfItsSectionReadsAsEmpty) {
+    Bytes bytes = make_container();
+    posepack_view view;
+    ASSERT_EQ(posepack_open(&view, bytes.data(), bytes.size()), POSEPACK_OK);
+    const std::size_t clip = section_offset(bytes, POSEPACK_SECTION_CLIP) + POSEPACK_CLIP_HEAD_BYTES;
+    put_u32(bytes, clip + POSEPACK_CLIP_NAME, 11);
+    posepack_clip read;
+    ASSERT_EQ(posepack_get_clip(&view, 0, &read), POSEPACK_OK);
+    EXPECT_EQ(read.name.size_bytes, 0u);
+    EXPECT_NE(read.name.data, nullptr);
+}
+
+TEST(Safety, IndicesThatChangeAfterOpenAreCheckedAgain) {
+    Bytes bytes = make_container();
+    posepack_view view;
+    ASSERT_EQ(posepack_open(&view, bytes.data(), bytes.size()), POSEPACK_OK);
+    const std::size_t walk =
+        section_offset(bytes, POSEPACK_SECTION_CLIP) + POSEPACK_CLIP_HEAD_BYTES + POSEPACK_CLIP_RECORD_BYTES;
+    const std::size_t bones = section_offset(bytes, POSEPACK_SECTION_BONE);
+    const std::size_t joints = bones + POSEPACK_BONE_HEAD_BYTES + 3 * POSEPACK_BONE_RECORD_BYTES;
+    const std::size_t body = section_offset(bytes, POSEPACK_SECTION_SPAC) + POSEPACK_SPAC_HEAD_BYTES;
+    std::uint32_t value = 0, default_state = 0;
+
+    put_u32(bytes, walk + POSEPACK_CLIP_FIRST_CUT, 1);
+    EXPECT_EQ(posepack_get_cut(&view, 1, 0, &value), POSEPACK_ERROR_INDEX);
+    put_u32(bytes, walk + POSEPACK_CLIP_FIRST_CUT, 0);
+    put_u32(bytes, walk + POSEPACK_CLIP_CUT_COUNT, 2);
+    EXPECT_EQ(posepack_get_cut(&view, 1, 1, &value), POSEPACK_ERROR_INDEX);
+
+    put_u32(bytes, section_offset(bytes, POSEPACK_SECTION_STAT) + 4, 2);
+    EXPECT_EQ(posepack_count_states(&view, &value, &default_state), POSEPACK_OK);
+    EXPECT_EQ(default_state, POSEPACK_NONE);
+
+    put_u16(bytes, joints, 3);
+    EXPECT_EQ(posepack_map_joint(&view, 0, 0, &value), POSEPACK_ERROR_INDEX);
+    put_u32(bytes, body + POSEPACK_MESH_JOINT_COUNT, 0xFFFFFFFF);
+    EXPECT_EQ(posepack_map_joint(&view, 0, 5, &value), POSEPACK_ERROR_INDEX);
+    put_u32(bytes, body + POSEPACK_MESH_FIRST_JOINT, 5);
+    EXPECT_EQ(posepack_map_joint(&view, 0, 0, &value), POSEPACK_ERROR_INDEX);
+    put_u32(bytes, body + POSEPACK_MESH_FIRST_JOINT, 0);
+    put_u32(bytes, bones + POSEPACK_BONE_HEAD_JOINT_MAP_COUNT, 0xFFFFFFFF);
+    EXPECT_EQ(posepack_map_joint(&view, 0, 6, &value), POSEPACK_ERROR_INDEX);
+}
+
+} // namespace
+} // namespace posepack::test
