@@ -23,7 +23,7 @@ constexpr double kUnitTolerance = 1e-3;
 
 // Counted over a clip, so that a file gets one line and not thousands.
 struct ClipRepairs {
-    std::uint32_t equal_times = 0, not_unit = 0, doubled = 0, morph_channels = 0, other_channels = 0;
+    std::uint32_t equal_times = 0, not_unit = 0, doubled = 0, left_out = 0;
 };
 
 base::Status check_times(std::span<const float> times, const std::string& where, ClipRepairs& repairs) {
@@ -164,9 +164,9 @@ base::Status read_channel(ReadContext& context, ChannelReader& reader, const tin
                           ClipRepairs& repairs) {
     const tinygltf::AnimationChannel& channel_source = source.channels[index];
     const std::string place = fmt::format("{}/channels/{}", where, index);
-    if (channel_source.target_path == "weights") return ++repairs.morph_channels, base::Status{};
+    if (channel_source.target_path == "weights") return ++repairs.left_out, base::Status{};
     const auto path = path_of(channel_source.target_path);
-    if (!path || channel_source.target_node < 0) return ++repairs.other_channels, base::Status{};
+    if (!path || channel_source.target_node < 0) return ++repairs.left_out, base::Status{};
     if (static_cast<std::size_t>(channel_source.target_node) >= context.animal.nodes.size())
         return Issue{IssueCode::glb_reference, place,
                      fmt::format("node {} does not exist", channel_source.target_node)};
@@ -207,10 +207,6 @@ base::Status report_repairs(ReadContext& context, const ClipRepairs& repairs, co
                 fmt::format("{} channels move a target that another one moves", repairs.doubled));
             !s)
             return s;
-    if (repairs.morph_channels + repairs.other_channels > 0)
-        context.note(IssueCode::warn_left_out, where,
-                     fmt::format("{} morph and {} other channels are not in the palette",
-                                 repairs.morph_channels, repairs.other_channels));
     return {};
 }
 
@@ -247,6 +243,7 @@ base::Status refuse_without_clips(const tinygltf::Model& model) {
 base::Status read_clips(ReadContext& context) {
     const auto& animations = context.model().animations;
     ChannelReader reader(context);
+    std::uint32_t left_out = 0;
     for (std::size_t a = 0; a < animations.size(); ++a) {
         const std::string where = fmt::format("animations/{}", a);
         if (animations[a].channels.size() > kMaxChannels)
@@ -263,11 +260,17 @@ base::Status read_clips(ReadContext& context) {
             if (auto s = read_channel(context, reader, animations[a], c, where, clip, targets, repairs); !s)
                 return s;
         if (auto s = report_repairs(context, repairs, where); !s) return s;
+        left_out += repairs.left_out;
         if (clip.channels.empty()) continue;
         if (auto s = measure_span(context.animal, where, clip); !s) return s;
         context.animal.clips.push_back(std::move(clip));
     }
     if (context.animal.clips.empty()) return refuse_without_clips(context.model());
+    if (left_out > 0)
+        context.note(
+            IssueCode::warn_left_out, "animations",
+            fmt::format("{} channels that move no node (morph weights, pointers) are not in the palette",
+                        left_out));
     std::vector<std::string> source_names;
     for (const Clip& clip : context.animal.clips) source_names.push_back(clip.source_name);
     const std::vector<std::string> names = clip_names(source_names);

@@ -89,7 +89,7 @@ base::Status sample_clips(const Animal& animal, Palette& palette) {
                         "expected values up to {:.6g}, bone '{}' leaves that range at row {} ({:.4g} s)",
                         half ? 65504.0 : 3.4e38, animal.bones[bad].name, row, clip.plan.row_time_s(row))};
             }
-            boxes.add(stored, clip.bounds, row == 0);
+            boxes.add(stored, clip.bounds);
         }
     }
     palette.pixels = encoder.finish();

@@ -170,7 +170,7 @@ class ClipMeter {
 
     void locate(motion::ClipSampler& sampler, const palette::PaletteClip& clip, const Worst& point,
                 const Worst& normal, ClipError& error) {
-        if (point.square >= 0.0f) {
+        if (points_.size() > 0) {
             const Place place = place_of(animal_, points_, point.entry);
             fill_lane(sampler, clip, point.time_s, 0);
             const double radius = palette_.radius > 0.0 ? palette_.radius : 1.0;
@@ -181,7 +181,7 @@ class ClipMeter {
             error.vertex = place.vertex;
             error.bone = blamed_bone(points_, point.entry, true);
         }
-        if (normal.square >= 0.0f) {
+        if (normals_.size() > 0) {
             const Place place = place_of(animal_, normals_, normal.entry);
             fill_lane(sampler, clip, normal.time_s, 0);
             error.normal_max_deg =

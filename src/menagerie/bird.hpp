@@ -25,10 +25,10 @@ struct BirdShape {
     double head_radius = 0.0205;
     double beak_length = 0.017;
     double beak_radius = 0.0062;
-    double wing_length = 0.105;       // from the shoulder to the tip, spread
-    double wing_chord = 0.052;        // from front to back
+    double wing_length = 0.105;  // from the shoulder to the tip, spread
+    double wing_chord = 0.052;   // from front to back
     double tail_length = 0.062;
-    double tail_radius = 0.017;       // half of its breadth
+    double tail_radius = 0.017;  // half of its breadth
     double leg_radius = 0.0021;
     double toe_length = 0.020;
 
@@ -56,8 +56,8 @@ struct BirdJoints {
     int chest = 0;
     std::vector<int> neck;
     int head = 0;
-    int beak = 0;      // the lower half
-    int breast = 0;    // swells: the only joint of the plan that scales
+    int beak = 0;    // the lower half
+    int breast = 0;  // swells: the only joint of the plan that scales
     int eye = 0;
     int upper_arm = 0;
     int forearm = 0;
@@ -80,16 +80,32 @@ struct Bird {
 // Angles in degrees; ways as parts of the hip's height. Left foot, then right, four channels each.
 namespace bird_channel {
 enum : int {
-    body_x, body_y, body_z, body_pitch, body_yaw, body_roll,
-    neck_pitch, neck_yaw, head_pitch, head_yaw, head_roll, beak, puff,
-    wing_open,    // 0: folded along the body, 1: spread
-    flap,         // both wings up
-    flap_bend,    // of forearm and hand against the arm
-    wing_sweep,   // back
-    wing_tilt,    // leading edge down
-    tail_pitch, tail_yaw, tail_fan,
-    follow,       // 0: feet stay where they are told; 1: they go with the body
-    foot_x, foot_y, foot_z, foot_pitch,
+    body_x,
+    body_y,
+    body_z,
+    body_pitch,
+    body_yaw,
+    body_roll,
+    neck_pitch,
+    neck_yaw,
+    head_pitch,
+    head_yaw,
+    head_roll,
+    beak,
+    puff,
+    wing_open,   // 0: folded along the body, 1: spread
+    flap,        // both wings up
+    flap_bend,   // of forearm and hand against the arm
+    wing_sweep,  // back
+    wing_tilt,   // leading edge down
+    tail_pitch,
+    tail_yaw,
+    tail_fan,
+    follow,  // 0: feet stay where they are told; 1: they go with the body
+    foot_x,
+    foot_y,
+    foot_z,
+    foot_pitch,
     count = foot_x + 4 * 2
 };
 }  // namespace bird_channel

@@ -25,7 +25,17 @@ ClipScript idle() {
     ClipScript clip{"Idle", 90, Ending::closed, {}, {}, {}, 0.0};
     clip.waves = {{puff, 0.05, 3, 0.0}, {body_pitch, 1.5, 3, 0.1}, {tail_pitch, 5.0, 3, 0.3}};
     // Birds look about in jerks.
-    clip.tracks = {{head_yaw, {{0.0, 0}, {0.10, 0}, {0.14, 42}, {0.34, 42}, {0.38, -12}, {0.55, -12}, {0.59, -48}, {0.80, -48}, {0.84, 0}, {1.0, 0}}},
+    clip.tracks = {{head_yaw,
+                    {{0.0, 0},
+                     {0.10, 0},
+                     {0.14, 42},
+                     {0.34, 42},
+                     {0.38, -12},
+                     {0.55, -12},
+                     {0.59, -48},
+                     {0.80, -48},
+                     {0.84, 0},
+                     {1.0, 0}}},
                    {head_roll, {{0.0, 0}, {0.34, 0}, {0.38, 20}, {0.55, 20}, {0.59, 0}, {1.0, 0}}},
                    {neck_pitch, {{0.0, 0}, {0.55, 0}, {0.59, -12}, {0.80, -12}, {0.84, 0}, {1.0, 0}}}};
     return clip;
@@ -42,9 +52,9 @@ ClipScript hop() {
 
 ClipScript fly() {
     ClipScript clip{"Fly", 30, Ending::closed, {}, {}, {}, 96.0};
-    clip.tracks = {{wing_open, {{0.0, 1}}}, {body_pitch, {{0.0, 26}}}, {neck_pitch, {{0.0, 8}}},
+    clip.tracks = {{wing_open, {{0.0, 1}}},    {body_pitch, {{0.0, 26}}}, {neck_pitch, {{0.0, 8}}},
                    {head_pitch, {{0.0, -30}}}, {tail_pitch, {{0.0, -4}}}, {tail_fan, {{0.0, 10}}},
-                   {body_y, {{0.0, 0.9}}}, {flap, {{0.0, 8}}}, {wing_sweep, {{0.0, 6}}}};
+                   {body_y, {{0.0, 0.9}}},     {flap, {{0.0, 8}}},        {wing_sweep, {{0.0, 6}}}};
     clip.waves = {{flap, 52.0, 5, 0.0},       {flap_bend, 34.0, 5, 0.72}, {wing_sweep, 14.0, 5, 0.25},
                   {wing_tilt, 18.0, 5, 0.25}, {body_y, 0.14, 5, 0.55},    {tail_pitch, 6.0, 5, 0.4}};
     tuck_feet(clip);
@@ -53,10 +63,13 @@ ClipScript fly() {
 
 ClipScript glide() {
     ClipScript clip{"Glide", 60, Ending::closed, {}, {}, {}, 210.0};
-    clip.tracks = {{wing_open, {{0.0, 1}}}, {body_pitch, {{0.0, 24}}}, {neck_pitch, {{0.0, 6}}},
-                   {head_pitch, {{0.0, -28}}}, {tail_fan, {{0.0, 22}}}, {body_y, {{0.0, 0.9}}},
-                   {flap, {{0.0, 10}}}, {flap_bend, {{0.0, -8}}}};
-    clip.waves = {{body_roll, 9.0, 1, 0.0}, {flap, 2.5, 4, 0.0}, {tail_yaw, 8.0, 1, 0.3}, {head_roll, -7.0, 1, 0.0},
+    clip.tracks = {{wing_open, {{0.0, 1}}},    {body_pitch, {{0.0, 24}}}, {neck_pitch, {{0.0, 6}}},
+                   {head_pitch, {{0.0, -28}}}, {tail_fan, {{0.0, 22}}},   {body_y, {{0.0, 0.9}}},
+                   {flap, {{0.0, 10}}},        {flap_bend, {{0.0, -8}}}};
+    clip.waves = {{body_roll, 9.0, 1, 0.0},
+                  {flap, 2.5, 4, 0.0},
+                  {tail_yaw, 8.0, 1, 0.3},
+                  {head_roll, -7.0, 1, 0.0},
                   {body_y, 0.05, 2, 0.0}};
     tuck_feet(clip);
     return clip;
@@ -64,15 +77,29 @@ ClipScript glide() {
 
 ClipScript peck() {
     ClipScript clip{"Peck", 60, Ending::closed, {}, {}, {}, 0.0};
-    const std::vector<Stop> stoop = {{0.0, 0}, {0.12, 0.9}, {0.18, 1}, {0.24, 0.8}, {0.30, 1}, {0.36, 0.8}, {0.44, 1}, {0.60, 0}, {1.0, 0}};
+    const std::vector<Stop> stoop = {{0.0, 0},    {0.12, 0.9}, {0.18, 1}, {0.24, 0.8}, {0.30, 1},
+                                     {0.36, 0.8}, {0.44, 1},   {0.60, 0}, {1.0, 0}};
     const auto scaled = [&stoop](int channel, double amount) {
         Track track{channel, stoop};
         for (Stop& stop : track.stops) stop.value *= amount;
         return track;
     };
-    clip.tracks = {scaled(body_pitch, 52), scaled(neck_pitch, 38), scaled(head_pitch, -6), scaled(body_y, -0.18),
+    clip.tracks = {scaled(body_pitch, 52),
+                   scaled(neck_pitch, 38),
+                   scaled(head_pitch, -6),
+                   scaled(body_y, -0.18),
                    scaled(tail_pitch, 12),
-                   {beak, {{0.0, 0}, {0.16, 18}, {0.19, 0}, {0.28, 18}, {0.31, 0}, {0.64, 14}, {0.68, 0}, {0.72, 12}, {0.76, 0}, {1.0, 0}}},
+                   {beak,
+                    {{0.0, 0},
+                     {0.16, 18},
+                     {0.19, 0},
+                     {0.28, 18},
+                     {0.31, 0},
+                     {0.64, 14},
+                     {0.68, 0},
+                     {0.72, 12},
+                     {0.76, 0},
+                     {1.0, 0}}},
                    {head_yaw, {{0.0, 0}, {0.66, 0}, {0.70, 34}, {0.86, 34}, {0.90, 0}, {1.0, 0}}}};
     return clip;
 }
@@ -90,23 +117,24 @@ ClipScript drink() {
 
 ClipScript sleep() {
     ClipScript clip{"Sleep", 90, Ending::closed, {}, {}, {}, 0.0};
-    clip.tracks = {{body_y, {{0.0, -0.34}}},  {body_pitch, {{0.0, 10}}}, {neck_pitch, {{0.0, 26}}},
-                   {neck_yaw, {{0.0, 60}}},   {head_yaw, {{0.0, 70}}},   {head_pitch, {{0.0, 16}}},
-                   {puff, {{0.0, 0.22}}},     {tail_pitch, {{0.0, -8}}}};
+    clip.tracks = {{body_y, {{0.0, -0.34}}}, {body_pitch, {{0.0, 10}}}, {neck_pitch, {{0.0, 26}}},
+                   {neck_yaw, {{0.0, 60}}},  {head_yaw, {{0.0, 70}}},   {head_pitch, {{0.0, 16}}},
+                   {puff, {{0.0, 0.22}}},    {tail_pitch, {{0.0, -8}}}};
     clip.waves = {{puff, 0.06, 2, 0.0}, {body_y, 0.015, 2, 0.0}};
     return clip;
 }
 
 ClipScript attack() {
     ClipScript clip{"Attack", 30, Ending::closed, {}, {}, {}, 0.0};
-    clip.tracks = {{wing_open, {{0.0, 0}, {0.25, 1}, {0.75, 1}, {1.0, 0}}},
-                   {flap, {{0.0, 0}, {0.25, 58}, {0.40, -30}, {0.55, 55}, {0.70, -25}, {0.85, 10}, {1.0, 0}}},
-                   {flap_bend, {{0.0, 0}, {0.30, -20}, {0.42, 20}, {0.56, -20}, {0.72, 15}, {1.0, 0}}},
-                   {body_pitch, {{0.0, 0}, {0.25, -22}, {0.38, 44}, {0.48, -8}, {0.60, 44}, {0.72, 10}, {1.0, 0}}},
-                   {body_z, {{0.0, 0}, {0.25, -0.15}, {0.38, 0.30}, {0.60, 0.35}, {1.0, 0}}},
-                   {neck_pitch, {{0.0, 0}, {0.25, -30}, {0.36, 46}, {0.48, -20}, {0.58, 46}, {0.75, 0}, {1.0, 0}}},
-                   {beak, {{0.0, 0}, {0.22, 30}, {0.36, 32}, {0.40, 0}, {0.48, 30}, {0.60, 0}, {1.0, 0}}},
-                   {tail_fan, {{0.0, 0}, {0.25, 24}, {0.75, 24}, {1.0, 0}}}};
+    clip.tracks = {
+        {wing_open, {{0.0, 0}, {0.25, 1}, {0.75, 1}, {1.0, 0}}},
+        {flap, {{0.0, 0}, {0.25, 58}, {0.40, -30}, {0.55, 55}, {0.70, -25}, {0.85, 10}, {1.0, 0}}},
+        {flap_bend, {{0.0, 0}, {0.30, -20}, {0.42, 20}, {0.56, -20}, {0.72, 15}, {1.0, 0}}},
+        {body_pitch, {{0.0, 0}, {0.25, -22}, {0.38, 44}, {0.48, -8}, {0.60, 44}, {0.72, 10}, {1.0, 0}}},
+        {body_z, {{0.0, 0}, {0.25, -0.15}, {0.38, 0.30}, {0.60, 0.35}, {1.0, 0}}},
+        {neck_pitch, {{0.0, 0}, {0.25, -30}, {0.36, 46}, {0.48, -20}, {0.58, 46}, {0.75, 0}, {1.0, 0}}},
+        {beak, {{0.0, 0}, {0.22, 30}, {0.36, 32}, {0.40, 0}, {0.48, 30}, {0.60, 0}, {1.0, 0}}},
+        {tail_fan, {{0.0, 0}, {0.25, 24}, {0.75, 24}, {1.0, 0}}}};
     return clip;
 }
 
@@ -134,7 +162,8 @@ ClipScript die() {
                    {beak, {{0.0, 0}, {0.20, 26}, {0.80, 10}}}};
     for (const int side : {0, 1}) {
         clip.tracks.push_back({of_foot(foot_y, side), {{0.0, 0}, {0.40, 0.25}, {0.80, 0.20}}});
-        clip.tracks.push_back({of_foot(foot_pitch, side), {{0.0, 0}, {0.50, 60}, {0.80, side == 0 ? 45.0 : 62.0}}});
+        clip.tracks.push_back(
+            {of_foot(foot_pitch, side), {{0.0, 0}, {0.50, 60}, {0.80, side == 0 ? 45.0 : 62.0}}});
     }
     return clip;
 }

@@ -37,15 +37,16 @@ void add_trunk(Builder& out) {
     loft.segments = 18;
     loft.start_cap = 0.001;
     loft.end_cap = 0.0;
-    loft.sections = {{between(hip, tail, 1.35), w * 0.26, d * 0.16, d * 0.18, j.tail[0], coat, 2},
-                     {between(hip, tail, 0.80), w * 0.55, d * 0.42, d * 0.48, j.tail[0], coat, 2},
-                     {hip, w * 0.90, d * 0.78, d * 0.88, j.body, coat, 2},
-                     {between(hip, chest, 0.35), w, d * 0.92, d * 1.0, j.spine, coat, 2},
-                     {between(hip, chest, 0.75), w * 0.95, d * 0.88, d * 0.98, j.chest, coat, 2},
-                     {between(chest, head, 0.10), w * 0.72, d * 0.70, d * 0.74, j.neck[0], {s.back, s.side, s.bib}, 2},
-                     {between(chest, head, 0.50), n * 1.02, n, n, j.neck[1], neck, 2},
-                     {between(chest, head, 0.80), n * 0.92, n * 0.90, n * 0.90, j.neck[2], neck, 2},
-                     {between(chest, head, 1.05), n * 0.75, n * 0.75, n * 0.75, j.head, neck, 0}};
+    loft.sections = {
+        {between(hip, tail, 1.35), w * 0.26, d * 0.16, d * 0.18, j.tail[0], coat, 2},
+        {between(hip, tail, 0.80), w * 0.55, d * 0.42, d * 0.48, j.tail[0], coat, 2},
+        {hip, w * 0.90, d * 0.78, d * 0.88, j.body, coat, 2},
+        {between(hip, chest, 0.35), w, d * 0.92, d * 1.0, j.spine, coat, 2},
+        {between(hip, chest, 0.75), w * 0.95, d * 0.88, d * 0.98, j.chest, coat, 2},
+        {between(chest, head, 0.10), w * 0.72, d * 0.70, d * 0.74, j.neck[0], {s.back, s.side, s.bib}, 2},
+        {between(chest, head, 0.50), n * 1.02, n, n, j.neck[1], neck, 2},
+        {between(chest, head, 0.80), n * 0.92, n * 0.90, n * 0.90, j.neck[2], neck, 2},
+        {between(chest, head, 1.05), n * 0.75, n * 0.75, n * 0.75, j.head, neck, 0}};
     const Mark from = mark(out.mesh);
     add_loft(out.mesh, loft);
     attract(out.mesh, from, j.breast, out.head_of(j.breast) + Vec3(0.0, -d * 0.45, d * 0.2), d * 1.25, 0.8);
@@ -117,7 +118,8 @@ void add_feathers(Builder& out, const Feathers& f) {
     loft.end_cap = glm::length(f.way) * 0.04;
     loft.sections = {{f.root, f.root_half, t, t, f.owner, f.root_paint, 2},
                      {f.root + f.way * 0.30, f.middle_half, t * 0.85, t * 0.7, f.joint, f.paint, 2},
-                     {f.root + f.way * 0.65, f.middle_half * 0.6 + f.tip_half * 0.4, t * 0.6, t * 0.5, f.joint, f.paint, 2},
+                     {f.root + f.way * 0.65, f.middle_half * 0.6 + f.tip_half * 0.4, t * 0.6, t * 0.5,
+                      f.joint, f.paint, 2},
                      {f.root + f.way * 0.90, f.tip_half, t * 0.4, t * 0.3, f.joint, f.tip_paint, 1},
                      {f.root + f.way, f.tip_half * 0.55, t * 0.2, t * 0.2, f.joint, f.tip_paint, 0}};
     const Mark from = mark(out.mesh);
@@ -153,14 +155,17 @@ void add_wing(Builder& out) {
     const Paint edge{s.wing, s.wing, s.side};
     const Vec3 inner = out.head_of(j.tertials);
     // Tertials on the arm, secondaries on the forearm, primaries in two fans on the hand.
-    add_feathers(out, {inner - Vec3(0.0, t * 0.3, c * 0.05), -kAxisZ * (c * 0.92), kAxisX, l * 0.15, l * 0.15, l * 0.12,
-                       t, j.upper_arm, j.tertials, cover, edge, quill});
-    add_feathers(out, {out.head_of(j.secondaries) + Vec3(0.0, -t * 0.1, c * 0.02), Vec3(0.04 * l, 0.0, -c * 1.05), kAxisX,
-                       l * 0.15, l * 0.17, l * 0.14, t, j.forearm, j.secondaries, cover, bar, quill});
-    add_feathers(out, {wrist + Vec3(l * 0.02, -t * 0.4, -c * 0.06), Vec3(0.30 * l, 0.0, -c * 1.0), Vec3(1.0, 0.0, 0.4),
-                       c * 0.22, c * 0.34, c * 0.22, t * 0.9, j.hand, j.primaries, edge, quill, quill});
-    add_feathers(out, {wrist + Vec3(l * 0.03, -t * 0.2, 0.0), Vec3(0.50 * l, -0.01 * l, -c * 0.50), Vec3(0.5, 0.0, 1.0),
-                       c * 0.16, c * 0.24, c * 0.10, t * 0.9, j.hand, j.primaries, edge, quill, plain(s.feather)});
+    add_feathers(out, {inner - Vec3(0.0, t * 0.3, c * 0.05), -kAxisZ * (c * 0.92), kAxisX, l * 0.15, l * 0.15,
+                       l * 0.12, t, j.upper_arm, j.tertials, cover, edge, quill});
+    add_feathers(out,
+                 {out.head_of(j.secondaries) + Vec3(0.0, -t * 0.1, c * 0.02), Vec3(0.04 * l, 0.0, -c * 1.05),
+                  kAxisX, l * 0.15, l * 0.17, l * 0.14, t, j.forearm, j.secondaries, cover, bar, quill});
+    add_feathers(
+        out, {wrist + Vec3(l * 0.02, -t * 0.4, -c * 0.06), Vec3(0.30 * l, 0.0, -c * 1.0), Vec3(1.0, 0.0, 0.4),
+              c * 0.22, c * 0.34, c * 0.22, t * 0.9, j.hand, j.primaries, edge, quill, quill});
+    add_feathers(out, {wrist + Vec3(l * 0.03, -t * 0.2, 0.0), Vec3(0.50 * l, -0.01 * l, -c * 0.50),
+                       Vec3(0.5, 0.0, 1.0), c * 0.16, c * 0.24, c * 0.10, t * 0.9, j.hand, j.primaries, edge,
+                       quill, plain(s.feather)});
 }
 
 void add_tail(Builder& out) {
@@ -170,8 +175,8 @@ void add_tail(Builder& out) {
     const Vec3 way = (out.head_of(j.tail[1]) - root) / 0.4;
     const double t = s.tail_radius * 0.16;
     const Paint paint{s.tail, s.tail, s.side};
-    add_feathers(out, {root + way * 0.05, way, -kAxisX, s.tail_radius * 0.62, s.tail_radius * 0.60, s.tail_radius * 0.62,
-                       t, j.tail[0], j.tail[1], paint, paint, plain(s.tail)});
+    add_feathers(out, {root + way * 0.05, way, -kAxisX, s.tail_radius * 0.62, s.tail_radius * 0.60,
+                       s.tail_radius * 0.62, t, j.tail[0], j.tail[1], paint, paint, plain(s.tail)});
 }
 
 void add_tail_side(Builder& out) {
@@ -182,8 +187,8 @@ void add_tail_side(Builder& out) {
     const Vec3 out_way = way * 0.62 + kAxisX * (s.tail_radius * 0.35);
     const Paint paint{s.feather, s.feather, s.side};
     add_feathers(out, {root - kAxisY * (s.tail_radius * 0.06), out_way, -kAxisX, s.tail_radius * 0.40,
-                       s.tail_radius * 0.44, s.tail_radius * 0.42, s.tail_radius * 0.13, j.tail[1], j.fan, paint, paint,
-                       plain(s.feather)});
+                       s.tail_radius * 0.44, s.tail_radius * 0.42, s.tail_radius * 0.13, j.tail[1], j.fan,
+                       paint, paint, plain(s.feather)});
 }
 
 void add_toe(Builder& out, int joint, const Vec3& way) {
@@ -197,7 +202,8 @@ void add_toe(Builder& out, int joint, const Vec3& way) {
     loft.start_cap = 0.0;
     loft.end_cap = r * 0.3;
     loft.sections = {{root - way * 0.06, r * 0.9, r * 0.9, r * 0.9, joint, plain(s.leg), 2},
-                     {Vec3(root.x + way.x * 0.6, r * 0.9, root.z + way.z * 0.6), r * 0.75, r * 0.8, r * 0.85, joint, plain(s.leg), 1},
+                     {Vec3(root.x + way.x * 0.6, r * 0.9, root.z + way.z * 0.6), r * 0.75, r * 0.8, r * 0.85,
+                      joint, plain(s.leg), 1},
                      {tip, r * 0.25, r * 0.3, r * 0.3, joint, plain(s.beak), 0}};
     add_loft(out.mesh, loft);
 }

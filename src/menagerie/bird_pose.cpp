@@ -35,7 +35,8 @@ void pose_trunk(const Bird& animal, const Values& v, Pose& pose) {
     turn_of(pose, j.beak) = pitch(value(v, channel::beak));
     pose.scales[static_cast<std::size_t>(j.breast)] = Vec3(1.0 + value(v, channel::puff));
     for (const int joint : j.tail) {
-        turn_of(pose, joint) = yaw(value(v, channel::tail_yaw) * 0.5) * pitch(value(v, channel::tail_pitch) * 0.5);
+        turn_of(pose, joint) =
+            yaw(value(v, channel::tail_yaw) * 0.5) * pitch(value(v, channel::tail_pitch) * 0.5);
     }
     for (int side = 0; side < 2; ++side) {
         turn_of(pose, j.fan + side) = yaw(value(v, channel::tail_fan) * (side == 0 ? -1.0 : 1.0));
@@ -99,7 +100,8 @@ void pose_wings(const Bird& animal, const Values& v, Pose& pose) {
     set(j.primaries, glm::conjugate(hand) * primaries);
 }
 
-void pose_foot(const Bird& animal, const ClipScript& script, double phase, const Values& v, int side, Pose& pose) {
+void pose_foot(const Bird& animal, const ClipScript& script, double phase, const Values& v, int side,
+               Pose& pose) {
     const BirdJoints& j = animal.joints;
     const Leg leg = side == 0 ? j.leg : other_leg(j.leg);
     const int first = channel::foot_x + 4 * side;
@@ -120,7 +122,7 @@ void pose_foot(const Bird& animal, const ClipScript& script, double phase, const
     LegGoal goal;
     goal.ankle = told * (1.0 - follow) + carried * follow;
     goal.cannon_turn = turn * pitch(fold * 18.0 - way.z * 16.0);
-    goal.foot_turn = turn * pitch(value(v, first + 3) + fold * 40.0);
+    goal.foot_turn = turn * pitch(value(v, first + 3) + step.height * 40.0);
     pose_leg(animal.rig, placed, leg, goal, pose);
     turn_of(pose, j.hind_toe + side) = pitch(-0.5 * value(v, first + 3) - fold * 20.0);
 }
@@ -138,7 +140,9 @@ Pose bird_pose(const Bird& animal, const ClipScript& script, double phase) {
 
 Model bird_model(const BirdShape& shape, const ExportStyle& style, int rate_hz) {
     const Bird animal = bird_of(shape);
-    const auto pose = [&animal](const ClipScript& script, double phase) { return bird_pose(animal, script, phase); };
+    const auto pose = [&animal](const ClipScript& script, double phase) {
+        return bird_pose(animal, script, phase);
+    };
     std::vector<Clip> clips = perform(bird_scripts(), rate_hz, shape.hip_height, pose);
     return {shape.name, animal.rig, bird_mesh(animal), std::move(clips), style};
 }

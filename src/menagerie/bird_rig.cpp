@@ -54,7 +54,8 @@ void add_wing(Bird& animal) {
     j.tertials = add_joint_pair(rig, "Tertials", j.upper_arm, inner, inner - kAxisZ * s.wing_chord);
     const Vec3 middle = (elbow + wrist) * 0.5;
     j.secondaries = add_joint_pair(rig, "Secondaries", j.forearm, middle, middle - kAxisZ * s.wing_chord);
-    j.primaries = add_joint_pair(rig, "Primaries", j.hand, wrist, shoulder + Vec3(1.0, 0.02, -0.22) * s.wing_length);
+    j.primaries =
+        add_joint_pair(rig, "Primaries", j.hand, wrist, shoulder + Vec3(1.0, 0.02, -0.22) * s.wing_length);
 }
 
 void add_tail(Bird& animal) {
@@ -67,7 +68,8 @@ void add_tail(Bird& animal) {
     j.tail.push_back(add_joint(animal.rig, "Tail2", j.tail.front(), root + way * 0.4, root + way));
     add_joint(animal.rig, "Tail2_end", j.tail.back(), root + way, root + way * 1.2);
     const Vec3 side = root + way * 0.35 + kAxisX * (s.tail_radius * 0.3);
-    j.fan = add_joint_pair(animal.rig, "TailFan", j.tail.back(), side, side + way * 0.6 + kAxisX * (s.tail_radius * 0.3));
+    j.fan = add_joint_pair(animal.rig, "TailFan", j.tail.back(), side,
+                           side + way * 0.6 + kAxisX * (s.tail_radius * 0.3));
 }
 
 void add_leg(Bird& animal) {

@@ -26,7 +26,8 @@ void add_axis(Fish& animal) {
     j.body = add_joint(rig, "Body", j.root, station(s, 0.38), station(s, 0.24));
     j.head = add_joint(rig, "Head", j.body, station(s, 0.24), station(s, 0.0));
     add_joint(rig, "Head_end", j.head, station(s, 0.0), station(s, -0.05));
-    j.jaw = add_joint(rig, "Jaw", j.head, station(s, 0.12, -0.18 * s.body_depth), station(s, 0.01, -0.18 * s.body_depth));
+    j.jaw = add_joint(rig, "Jaw", j.head, station(s, 0.12, -0.18 * s.body_depth),
+                      station(s, 0.01, -0.18 * s.body_depth));
     const Vec3 gill = station(s, 0.16, -0.05 * s.body_depth) + kAxisX * (s.body_radius * 0.8);
     j.gill = add_joint_pair(rig, "Gill", j.head, gill, gill - kAxisZ * 0.02);
     const Vec3 eye = station(s, 0.075, 0.22 * s.body_depth) + kAxisX * (s.body_radius * 0.58);
@@ -35,7 +36,8 @@ void add_axis(Fish& animal) {
     for (int index = 0; index < s.spine_joints; ++index) {
         const double step = 0.58 / s.spine_joints;
         const double along = 0.42 + step * index;
-        parent = add_joint(rig, fmt::format("Spine{}", index + 1), parent, station(s, along), station(s, along + step));
+        parent = add_joint(rig, fmt::format("Spine{}", index + 1), parent, station(s, along),
+                           station(s, along + step));
         j.spine.push_back(parent);
     }
 }
@@ -59,17 +61,21 @@ void add_fins(Fish& animal) {
     const Vec3 dorsal = station(s, 0.44, s.body_depth * 0.9);
     const Vec3 middle = dorsal + Vec3(0.0, s.dorsal_height * 0.5, -s.dorsal_length * 0.35);
     j.dorsal.push_back(add_joint(rig, "Dorsal1", spine(0.1), dorsal, middle));
-    j.dorsal.push_back(add_joint(rig, "Dorsal2", j.dorsal.front(), middle, middle + Vec3(0.0, s.dorsal_height * 0.5, -s.dorsal_length * 0.4)));
+    j.dorsal.push_back(add_joint(rig, "Dorsal2", j.dorsal.front(), middle,
+                                 middle + Vec3(0.0, s.dorsal_height * 0.5, -s.dorsal_length * 0.4)));
     const Vec3 adipose = station(s, 0.80, s.body_depth * 0.44);
-    j.adipose = add_joint(rig, "Adipose", spine(0.7), adipose, adipose + Vec3(0.0, 0.4, -0.5) * s.dorsal_height);
+    j.adipose =
+        add_joint(rig, "Adipose", spine(0.7), adipose, adipose + Vec3(0.0, 0.4, -0.5) * s.dorsal_height);
     const Vec3 anal = station(s, 0.74, -s.body_depth * 0.52);
     j.anal = add_joint(rig, "Anal", spine(0.6), anal, anal + Vec3(0.0, -0.7, -0.7) * s.dorsal_height);
     const Vec3 pectoral = station(s, 0.235, -s.body_depth * 0.42) + kAxisX * (s.body_radius * 0.82);
     const Vec3 way = Vec3(0.62, -0.30, -0.72) * s.pectoral_length;
     j.pectoral.push_back(add_joint_pair(rig, "Pectoral1", j.body, pectoral, pectoral + way * 0.5));
-    j.pectoral.push_back(add_joint_pair(rig, "Pectoral2", j.pectoral.front(), pectoral + way * 0.5, pectoral + way));
+    j.pectoral.push_back(
+        add_joint_pair(rig, "Pectoral2", j.pectoral.front(), pectoral + way * 0.5, pectoral + way));
     const Vec3 pelvic = station(s, 0.52, -s.body_depth * 0.82) + kAxisX * (s.body_radius * 0.40);
-    j.pelvic = add_joint_pair(rig, "Pelvic", spine(0.2), pelvic, pelvic + Vec3(0.35, -0.55, -0.75) * s.pelvic_length);
+    j.pelvic = add_joint_pair(rig, "Pelvic", spine(0.2), pelvic,
+                              pelvic + Vec3(0.35, -0.55, -0.75) * s.pelvic_length);
 }
 
 void pose_axis(const Fish& animal, const Values& v, Pose& pose) {
@@ -135,7 +141,9 @@ Pose fish_pose(const Fish& animal, const ClipScript& script, double phase) {
 
 Model fish_model(const FishShape& shape, const ExportStyle& style, int rate_hz) {
     const Fish animal = fish_of(shape);
-    const auto pose = [&animal](const ClipScript& script, double phase) { return fish_pose(animal, script, phase); };
+    const auto pose = [&animal](const ClipScript& script, double phase) {
+        return fish_pose(animal, script, phase);
+    };
     std::vector<Clip> clips = perform(fish_scripts(), rate_hz, shape.length, pose);
     return {shape.name, animal.rig, fish_mesh(animal), std::move(clips), style};
 }

@@ -12,13 +12,13 @@ namespace posepack::menagerie {
 // Lengths in metres. The fish hangs in the water with its lowest fin at y = 0.
 struct FishShape {
     std::string name;
-    double length = 0.42;           // from the snout to the root of the tail fin
-    double swim_height = 0.105;     // of the middle line
-    double body_radius = 0.031;     // across
-    double body_depth = 0.056;      // above and below the middle line
-    double tail_depth = 0.017;      // of the peduncle
+    double length = 0.42;        // from the snout to the root of the tail fin
+    double swim_height = 0.0774;  // of the middle line
+    double body_radius = 0.031;  // across
+    double body_depth = 0.056;   // above and below the middle line
+    double tail_depth = 0.017;   // of the peduncle
     double tail_fin_length = 0.085;
-    double tail_fin_spread = 0.062; // up and down
+    double tail_fin_spread = 0.062;  // up and down
     double dorsal_height = 0.048;
     double dorsal_length = 0.075;
     double pectoral_length = 0.062;
@@ -28,7 +28,7 @@ struct FishShape {
     Colour back = 0x4E5A38;
     Colour side = 0xB9A98C;
     Colour belly = 0xEFEBDD;
-    Colour band = 0xC7887F;         // along the flank
+    Colour band = 0xC7887F;  // along the flank
     Colour spot = 0x232A1E;
     Colour fin = 0x8C7B52;
     Colour fin_tip = 0xC7B58A;
@@ -38,7 +38,7 @@ struct FishShape {
 
 // Joint numbers; pairs name the left one, the right one follows.
 struct FishJoints {
-    int root = 0;   // no weights: where a game would attach the fish
+    int root = 0;  // no weights: where a game would attach the fish
     int body = 0;
     int head = 0;
     int jaw = 0;
@@ -64,14 +64,25 @@ struct Fish {
 // Angles in degrees; ways as parts of the body's length.
 namespace fish_channel {
 enum : int {
-    body_x, body_y, body_z, body_pitch, body_yaw, body_roll,
-    bend,                 // of the whole spine to one side
-    wave_sine,            // the travelling wave: its two quadratures, amplitudes in degrees
+    body_x,
+    body_y,
+    body_z,
+    body_pitch,
+    body_yaw,
+    body_roll,
+    bend,       // of the whole spine to one side
+    wave_sine,  // the travelling wave: its two quadratures, amplitudes in degrees
     wave_cosine,
-    head_yaw, head_pitch, jaw, gill,
-    tail_spread,          // of the fin's lobes
+    head_yaw,
+    head_pitch,
+    jaw,
+    gill,
+    tail_spread,  // of the fin's lobes
     dorsal_fold,
-    pectoral_pitch, pectoral_spread, pectoral_left, pectoral_right,
+    pectoral_pitch,
+    pectoral_spread,
+    pectoral_left,
+    pectoral_right,
     pelvic_spread,
     count
 };

@@ -27,11 +27,11 @@ struct Payload {
 enum class ComponentType { u8 = 5121, u16 = 5123, f32 = 5126 };
 
 class GlbBuffer {
-   public:
-    // A view of its own and an accessor over it. `target` is 34962 (vertices), 34963 (indices) or 0. Returns the
-    // accessor's index. Bounds are written by the caller through `accessor`.
-    int add_accessor(const Payload& payload, ComponentType component, std::string_view type, std::size_t count,
-                     int target, bool normalised = false);
+ public:
+    // A view of its own and an accessor over it. `target` is 34962 (vertices), 34963 (indices) or 0. Returns
+    // the accessor's index. Bounds are written by the caller through `accessor`.
+    int add_accessor(const Payload& payload, ComponentType component, std::string_view type,
+                     std::size_t count, int target, bool normalised = false);
 
     // An accessor in the view that all animation data share; equal data are stored and described once.
     int add_animation_accessor(const Payload& payload, std::string_view type, std::size_t count);
@@ -41,7 +41,7 @@ class GlbBuffer {
     // Appends the animation view and writes buffers, bufferViews and accessors; returns the buffer's bytes.
     std::string finish(Json& document);
 
-   private:
+ private:
     std::size_t append(std::string_view bytes);
 
     std::string bytes_;

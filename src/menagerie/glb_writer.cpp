@@ -179,10 +179,13 @@ constexpr std::array<std::string_view, 3> kPathNames = {"translation", "rotation
 
 // The samplers and channels of one clip on their way into the document.
 class ClipWriter {
-   public:
+ public:
     ClipWriter(GlbBuffer& buffer, const Model& model, const Clip& clip)
-        : buffer_(buffer), model_(model), clip_(clip), all_times_(add_times(1)),
-          end_times_(add_times(clip.keys.size() - 1)) {}
+        : buffer_(buffer),
+          model_(model),
+          clip_(clip),
+          all_times_(add_times(1)),
+          end_times_(model.style.full_constant_keys ? all_times_ : add_times(clip.keys.size() - 1)) {}
 
     Json write() {
         for (std::size_t joint = 0; joint < model_.rig.joints.size(); ++joint) {
@@ -196,7 +199,7 @@ class ClipWriter {
                 {"channels", std::move(channels_)}};
     }
 
-   private:
+ private:
     int add_times(std::size_t stride) {
         Payload payload;
         std::size_t count = 0;
@@ -238,8 +241,9 @@ class ClipWriter {
         const int output =
             buffer_.add_animation_accessor(payload, path == Path::rotation ? "VEC4" : "VEC3", values.size());
         channels_.push_back({{"sampler", add_sampler(two_keys ? end_times_ : all_times_, output)},
-                             {"target", {{"node", kFirstJointNode + static_cast<int>(joint)},
-                                         {"path", kPathNames[static_cast<std::size_t>(path)]}}}});
+                             {"target",
+                              {{"node", kFirstJointNode + static_cast<int>(joint)},
+                               {"path", kPathNames[static_cast<std::size_t>(path)]}}}});
     }
 
     // Channels with the same values share a sampler.
@@ -286,8 +290,9 @@ std::vector<std::uint8_t> write_glb(const Model& model) {
                   {"scene", 0},
                   {"scenes", Json::array({{{"nodes", {kArmatureNode, kMeshNode}}}})},
                   {"nodes", nodes_of(model)}};
-    document["materials"] = Json::array(
-        {{{"name", "Hide"}, {"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", number(0.8)}}}}});
+    document["materials"] =
+        Json::array({{{"name", "Hide"},
+                      {"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", number(0.8)}}}}});
     document["meshes"] = Json::array({mesh_json(buffer, model)});
     document["skins"] = Json::array({skin_json(buffer, model)});
     Json animations = Json::array();

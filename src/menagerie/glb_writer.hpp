@@ -9,8 +9,8 @@
 
 namespace posepack::menagerie {
 
-// The bytes of the GLB. Equal models give equal bytes on every host: numbers in the JSON chunk are the shortest
-// that read back as the float they stand for, and nothing is hashed or timed.
+// The bytes of the GLB. Equal models give equal bytes on every host: numbers in the JSON chunk are the
+// shortest that read back as the float they stand for, and nothing is hashed or timed.
 std::vector<std::uint8_t> write_glb(const Model& model);
 
 }  // namespace posepack::menagerie

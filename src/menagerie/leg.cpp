@@ -13,12 +13,13 @@ const RigJoint& joint_at(const Rig& rig, int index) {
     return rig.joints[static_cast<std::size_t>(index)];
 }
 
-// The knee between `hip` and `ankle` for bones of these lengths, bent about `hinge`: the way from hip to ankle,
-// turned a right angle about it, points to the knee's side. Unlike a pole that pulls the knee, the hinge
-// never comes near to that way, however far the leg swings.
+// The knee between `hip` and `ankle` for bones of these lengths, bent about `hinge`: the way from hip to
+// ankle, turned a right angle about it, points to the knee's side. Unlike a pole that pulls the knee, the
+// hinge never comes near to that way, however far the leg swings.
 Vec3 knee_between(const Vec3& hip, const Vec3& ankle, double upper, double lower, const Vec3& hinge) {
     const Vec3 way = ankle - hip;
-    const double distance = std::clamp(glm::length(way), std::abs(upper - lower) * 1.001, (upper + lower) * 0.9999);
+    const double distance =
+        std::clamp(glm::length(way), std::abs(upper - lower) * 1.001, (upper + lower) * 0.9999);
     const Vec3 along = glm::normalize(way);
     const Vec3 across = glm::normalize(glm::cross(hinge, along));
     const double foot = (upper * upper - lower * lower + distance * distance) / (2.0 * distance);
@@ -42,8 +43,8 @@ void pose_leg(const Rig& rig, const Placement& placed, const Leg& leg, const Leg
     const Vec3 hock = goal.ankle - goal.cannon_turn * (rest_ankle - rest_hock);
     const Vec3 rest_bend = rest_knee - (rest_hip + rest_hock) * 0.5;
     const Vec3 rest_hinge = glm::cross(rest_hock - rest_hip, rest_bend);
-    const Vec3 knee = knee_between(hip, hock, glm::length(rest_knee - rest_hip), glm::length(rest_hock - rest_knee),
-                                   parent_turn * rest_hinge);
+    const Vec3 knee = knee_between(hip, hock, glm::length(rest_knee - rest_hip),
+                                   glm::length(rest_hock - rest_knee), parent_turn * rest_hinge);
 
     const Vec3 hinge = glm::cross(hock - hip, knee - hip);
     const Quat upper = turn_of_frames(rest_knee - rest_hip, rest_hinge, knee - hip, hinge);

@@ -24,8 +24,8 @@ struct LegGoal {
     Quat foot_turn = kNoTurn;
 };
 
-// Sets the turns of a leg's joints, and the target's shift, so that the foot is where the goal says. A goal out
-// of reach is met as nearly as the leg is long. `placed` is the placement of everything above the leg.
+// Sets the turns of a leg's joints, and the target's shift, so that the foot is where the goal says. A goal
+// out of reach is met as nearly as the leg is long. `placed` is the placement of everything above the leg.
 void pose_leg(const Rig& rig, const Placement& placed, const Leg& leg, const LegGoal& goal, Pose& pose);
 
 }  // namespace posepack::menagerie

@@ -50,7 +50,8 @@ Quat turn_between(const Vec3& from, const Vec3& to) {
     return glm::normalize(Quat(w, c.x, c.y, c.z));
 }
 
-Quat turn_of_frames(const Vec3& rest_direction, const Vec3& rest_side, const Vec3& direction, const Vec3& side) {
+Quat turn_of_frames(const Vec3& rest_direction, const Vec3& rest_side, const Vec3& direction,
+                    const Vec3& side) {
     const glm::dmat3 rest = frame_of(rest_direction, rest_side);
     const glm::dmat3 posed = frame_of(direction, side);
     return glm::normalize(glm::quat_cast(posed * glm::transpose(rest)));

@@ -31,7 +31,8 @@ Quat turn_between(const Vec3& from, const Vec3& to);
 
 // The rotation that takes the frame (direction, side) at rest to the posed one. `side` need not be square to
 // `direction`, only not parallel to it.
-Quat turn_of_frames(const Vec3& rest_direction, const Vec3& rest_side, const Vec3& direction, const Vec3& side);
+Quat turn_of_frames(const Vec3& rest_direction, const Vec3& rest_side, const Vec3& direction,
+                    const Vec3& side);
 
 // 0 below 0, 1 above 1, between them a cubic with zero slope at both ends.
 double smooth_step(double x);
@@ -43,13 +44,14 @@ double wrapped(double x);
 double sine_of_turns(double turns);
 double cosine_of_turns(double turns);
 
-// The cubic through `from` and `to` with slopes (change over the whole span) `from_slope`, `to_slope`; u in [0, 1].
+// The cubic through `from` and `to` with slopes (change over the whole span) `from_slope`, `to_slope`; u in
+// [0, 1].
 template <typename T>
 T hermite(const T& from, const T& from_slope, const T& to, const T& to_slope, double u) {
     const double u2 = u * u;
     const double u3 = u2 * u;
-    return from * (2.0 * u3 - 3.0 * u2 + 1.0) + from_slope * (u3 - 2.0 * u2 + u) + to * (3.0 * u2 - 2.0 * u3) +
-           to_slope * (u3 - u2);
+    return from * (2.0 * u3 - 3.0 * u2 + 1.0) + from_slope * (u3 - 2.0 * u2 + u) +
+           to * (3.0 * u2 - 2.0 * u3) + to_slope * (u3 - u2);
 }
 
 // The mirror image on the animal's other side, of a place or way and of a rotation.

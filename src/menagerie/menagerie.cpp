@@ -16,10 +16,8 @@ struct Recipe {
 };
 
 constexpr std::array kRecipes = {
-    Recipe{{"goat", "goat.glb"}, goat},
-    Recipe{{"sparrow", "sparrow.glb"}, sparrow},
-    Recipe{{"trout", "trout.glb"}, trout},
-    Recipe{{"viper", "viper.glb"}, viper},
+    Recipe{{"goat", "goat.glb"}, goat},    Recipe{{"sparrow", "sparrow.glb"}, sparrow},
+    Recipe{{"trout", "trout.glb"}, trout}, Recipe{{"viper", "viper.glb"}, viper},
     Recipe{{"wolf", "wolf.glb"}, wolf},
 };
 

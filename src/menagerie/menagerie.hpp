@@ -24,8 +24,8 @@ std::span<const MenagerieAnimal> animals();
 // The model of one animal, or nothing for an id that animals() does not list. Cost: about 10 ms.
 std::optional<Model> build_model(std::string_view id);
 
-// The bytes of its GLB: the same on every host and in every run; empty for an id that animals() does not list.
-// Cost: about 20 ms and 1 MiB.
+// The bytes of its GLB: the same on every host and in every run; empty for an id that animals() does not
+// list. Cost: about 20 ms and 1 MiB.
 std::vector<std::uint8_t> generate_glb(std::string_view id);
 
 }  // namespace posepack::menagerie

@@ -258,7 +258,8 @@ void add_ellipsoid(Mesh& mesh, const Ellipsoid& ellipsoid) {
                       one_influence(ellipsoid.joint)};
     };
     for (int ring = 0; ring < ellipsoid.rings; ++ring) {
-        const double latitude = static_cast<double>(ring + 1) / (2.0 * (ellipsoid.rings + 1));  // turns from -Z
+        const double latitude =
+            static_cast<double>(ring + 1) / (2.0 * (ellipsoid.rings + 1));  // turns from -Z
         for (int step = 0; step < ellipsoid.segments; ++step) {
             const double turns = static_cast<double>(step) / ellipsoid.segments;
             const double radius = sine_of_turns(latitude);
@@ -279,7 +280,8 @@ void add_mirror_image(Mesh& mesh, const Rig& rig, const Mark& from) {
     for (std::size_t index = from.vertex_count; index < vertex_end; ++index) {
         Vertex vertex = mesh.vertices[index];
         vertex.position = mirrored(vertex.position);
-        for (int& joint : vertex.influences.joints) joint = rig.joints[static_cast<std::size_t>(joint)].mirror;
+        for (int& joint : vertex.influences.joints)
+            joint = rig.joints[static_cast<std::size_t>(joint)].mirror;
         mesh.vertices.push_back(vertex);
     }
     const std::size_t offset = vertex_end - from.vertex_count;

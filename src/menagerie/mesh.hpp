@@ -50,25 +50,25 @@ struct Section {
     double down = 0.0;
     int joint = 0;
     Paint paint;
-    int rings = 2;            // rings from here up to, not including, the next section
+    int rings = 2;  // rings from here up to, not including, the next section
 };
 
 struct Loft {
-    std::vector<Section> sections;   // at least two
+    std::vector<Section> sections;  // at least two
     Vec3 side = kAxisX;
-    int segments = 12;               // vertices of a ring
-    std::optional<double> start_cap; // how far the closing point stands out, metres; nothing: left open
+    int segments = 12;                // vertices of a ring
+    std::optional<double> start_cap;  // how far the closing point stands out, metres; nothing: left open
     std::optional<double> end_cap;
 };
 
 struct Ellipsoid {
     Vec3 centre{};
-    Vec3 radii{};            // along X, Y, Z before the turn
+    Vec3 radii{};  // along X, Y, Z before the turn
     Quat turn = kNoTurn;
     int segments = 8;
-    int rings = 3;           // between the two poles, which lie on the ellipsoid's Z axis
-    Colour colour = 0;       // from the equator on
-    Colour tip_colour = 0;   // towards +Z (an iris)
+    int rings = 3;          // between the two poles, which lie on the ellipsoid's Z axis
+    Colour colour = 0;      // from the equator on
+    Colour tip_colour = 0;  // towards +Z (an iris)
     int joint = 0;
 };
 

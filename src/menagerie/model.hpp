@@ -38,8 +38,8 @@ struct Model {
 
 using Poser = std::function<Pose(const ClipScript& script, double phase)>;
 
-// Plays scripts through a body plan at a rate. The closing key of a closed loop is posed at phase 0, so that it
-// equals the first to the bit. `unit_m` is the length that gaits and travels are measured in.
+// Plays scripts through a body plan at a rate. The closing key of a closed loop is posed at phase 0, so that
+// it equals the first to the bit. `unit_m` is the length that gaits and travels are measured in.
 std::vector<Clip> perform(const std::vector<ClipScript>& scripts, int rate_hz, double unit_m,
                           const Poser& pose);
 

@@ -18,32 +18,33 @@ enum class Foot { hoof, paw };
 struct QuadrupedShape {
     std::string name;
     double hip_height = 0.66;
-    double shoulder_height = 0.68;      // top of the shoulder blade
-    double body_length = 0.56;          // from hip joint to shoulder joint
-    double stance_width = 0.085;        // from the middle line to a foot
-    double chest_radius = 0.135;         // across
-    double chest_depth = 0.225;          // down from the spine's middle line
+    double shoulder_height = 0.68;  // top of the shoulder blade
+    double body_length = 0.56;      // from hip joint to shoulder joint
+    double stance_width = 0.085;    // from the middle line to a foot
+    double chest_radius = 0.135;    // across
+    double chest_depth = 0.225;     // down from the spine's middle line
     double belly_radius = 0.155;
     double belly_depth = 0.225;
     double rump_radius = 0.125;
     double neck_length = 0.31;
-    double neck_rise_degrees = 48.0;    // above the horizontal
-    double neck_radius = 0.066;         // at the head
+    double neck_rise_degrees = 48.0;  // above the horizontal
+    double neck_radius = 0.066;       // at the head
     double neck_base_depth = 0.13;
     double head_length = 0.25;
-    double head_drop_degrees = 28.0;    // below the horizontal
-    double head_radius = 0.07;         // across the cheeks
+    double head_drop_degrees = 28.0;  // below the horizontal
+    double head_radius = 0.07;        // across the cheeks
     double head_depth = 0.075;
     double muzzle_radius = 0.036;
     double muzzle_depth = 0.037;
-    double leg_radius = 0.022;          // of the front cannon
-    double thigh_radius = 0.075;        // along the body
+    double leg_radius = 0.022;    // of the front cannon
+    double thigh_radius = 0.075;  // along the body
     double ear_length = 0.15;
     double ear_width = 0.036;
-    double ear_rise_degrees = 8.0;      // above the horizontal: 0 stands out sideways, 80 upright
+    double ear_rise_degrees = 8.0;  // above the horizontal: 0 stands out sideways, 80 upright
     double tail_length = 0.13;
     double tail_radius = 0.024;
     double tail_rise_degrees = 50.0;
+    double tail_bush = 0.55;  // by how much of its radius the middle of the tail is thicker
     int tail_joints = 3;
     Horns horns = Horns::none;
     double horn_length = 0.0;
@@ -51,7 +52,7 @@ struct QuadrupedShape {
     Foot foot = Foot::hoof;
 
     Colour coat = 0xB08A62;
-    Colour back = 0x6A4A30;             // along the spine
+    Colour back = 0x6A4A30;  // along the spine
     Colour belly = 0xE8DCC6;
     Colour neck = 0xA67F58;
     Colour face = 0xB9936A;
@@ -72,18 +73,18 @@ struct QuadrupedShape {
 // Joint numbers of a quadruped; pairs name the left one, the right one follows.
 struct QuadrupedJoints {
     int body = 0;
-    std::vector<int> spine;   // two, then the chest
+    std::vector<int> spine;  // two, then the chest
     std::vector<int> neck;
     int head = 0;
     int jaw = 0;
     int beard = -1;
     int eye = 0;
     std::vector<int> ear;
-    std::vector<int> horn;    // none where the animal has no horns
+    std::vector<int> horn;  // none where the animal has no horns
     std::vector<int> tail;
-    int front_blade = 0;      // shoulder blade
-    int back_blade = 0;       // half of the pelvis
-    Leg front;                // left legs
+    int front_blade = 0;  // shoulder blade
+    int back_blade = 0;   // half of the pelvis
+    Leg front;            // left legs
     Leg back;
     int front_toe = 0;
     int back_toe = 0;
@@ -99,15 +100,34 @@ struct Quadruped {
 // right front, left back, right back; each has the five channels from foot_x on.
 namespace quadruped_channel {
 enum : int {
-    body_x, body_y, body_z, body_pitch, body_yaw, body_roll,
-    spine_pitch, spine_yaw,
-    neck_pitch, neck_yaw, head_pitch, head_yaw, head_roll, jaw,
-    ear_pitch, ear_flick_left, ear_flick_right,
-    tail_pitch, tail_yaw, beard,
+    body_x,
+    body_y,
+    body_z,
+    body_pitch,
+    body_yaw,
+    body_roll,
+    spine_pitch,
+    spine_yaw,
+    neck_pitch,
+    neck_yaw,
+    head_pitch,
+    head_yaw,
+    head_roll,
+    jaw,
+    ear_pitch,
+    ear_flick_left,
+    ear_flick_right,
+    tail_pitch,
+    tail_yaw,
+    beard,
     front_follow,  // 0: front feet stay where they are told; 1: they go with the chest
     back_follow,
     shoulder_lift,  // how far the blades slide up beside the spine
-    foot_x, foot_y, foot_z, foot_pitch, cannon_pitch,
+    foot_x,
+    foot_y,
+    foot_z,
+    foot_pitch,
+    cannon_pitch,
     count = foot_x + 4 * 5
 };
 }  // namespace quadruped_channel

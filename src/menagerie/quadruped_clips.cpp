@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The clips of every quadruped, as rows of data. Their lengths sum to 496 rows at 30 Hz: the closing key of a
 // closed loop is no row of its own, the last key of the other clips is.
+#include <algorithm>
+
 #include "menagerie/quadruped.hpp"
 
 namespace posepack::menagerie {
@@ -15,8 +17,8 @@ constexpr int of_foot(int channel, int foot) {
 
 ClipScript idle() {
     ClipScript clip{"Idle", 120, Ending::closed, {}, {}, {}};
-    clip.waves = {{body_y, 0.006, 2, 0.0},   {spine_pitch, 1.2, 2, 0.1}, {neck_pitch, 2.5, 2, 0.3},
-                  {head_pitch, 2.0, 2, 0.55}, {tail_yaw, 14.0, 4, 0.0},  {body_x, 0.008, 1, 0.0},
+    clip.waves = {{body_y, 0.006, 2, 0.0},    {spine_pitch, 1.2, 2, 0.1}, {neck_pitch, 2.5, 2, 0.3},
+                  {head_pitch, 2.0, 2, 0.55}, {tail_yaw, 14.0, 4, 0.0},   {body_x, 0.008, 1, 0.0},
                   {jaw, 1.5, 2, 0.0}};
     clip.tracks = {{neck_yaw, {{0.0, 0}, {0.30, 0}, {0.40, 22}, {0.62, 22}, {0.72, 0}, {1.0, 0}}},
                    {head_yaw, {{0.0, 0}, {0.28, 0}, {0.38, 16}, {0.62, 16}, {0.70, 0}, {1.0, 0}}},
@@ -28,8 +30,8 @@ ClipScript idle() {
 ClipScript walk() {
     ClipScript clip{"Walk", 28, Ending::closed, {}, {}, Gait{0.62, 0.62, 0.085, {0.75, 0.25, 0.0, 0.5}}};
     clip.tracks = {{body_y, {{0.0, -0.020}}}};
-    clip.waves = {{body_y, 0.010, 2, 0.10},  {body_x, 0.012, 1, 0.0},  {body_roll, 2.0, 1, 0.0},
-                  {body_yaw, 3.0, 1, 0.20},  {spine_yaw, -5.0, 1, 0.2}, {body_pitch, 0.8, 2, 0.3},
+    clip.waves = {{body_y, 0.010, 2, 0.10},  {body_x, 0.012, 1, 0.0},    {body_roll, 2.0, 1, 0.0},
+                  {body_yaw, 3.0, 1, 0.20},  {spine_yaw, -5.0, 1, 0.2},  {body_pitch, 0.8, 2, 0.3},
                   {neck_pitch, 5.0, 2, 0.0}, {head_pitch, -3.5, 2, 0.0}, {tail_yaw, 12.0, 1, 0.3},
                   {ear_pitch, 5.0, 2, 0.2},  {beard, 8.0, 2, 0.25}};
     return clip;
@@ -44,14 +46,17 @@ ClipScript trot() {
     return clip;
 }
 
-// One key short of closing: the last key and the first are neighbours, as in most gallops from modelling tools.
+// One key short of closing: the last key and the first are neighbours, as in most gallops from modelling
+// tools.
 ClipScript gallop() {
     ClipScript clip{"Gallop", 15, Ending::open, {}, {}, Gait{0.27, 0.82, 0.24, {0.50, 0.60, 0.0, 0.90}}};
-    clip.tracks = {{body_y, {{0.0, -0.035}}}, {neck_pitch, {{0.0, 16}}}, {head_pitch, {{0.0, -8}}},
+    clip.tracks = {{body_y, {{0.0, -0.035}}},
+                   {neck_pitch, {{0.0, 16}}},
+                   {head_pitch, {{0.0, -8}}},
                    {tail_pitch, {{0.0, 22}}}};
-    clip.waves = {{body_y, 0.045, 1, 0.20},   {body_pitch, 8.0, 1, 0.80}, {spine_pitch, 15.0, 1, 0.05},
+    clip.waves = {{body_y, 0.045, 1, 0.20},    {body_pitch, 8.0, 1, 0.80},  {spine_pitch, 15.0, 1, 0.05},
                   {neck_pitch, 11.0, 1, 0.35}, {head_pitch, -7.0, 1, 0.35}, {tail_pitch, 18.0, 1, 0.5},
-                  {ear_pitch, 20.0, 1, 0.5},  {beard, 24.0, 1, 0.5},      {body_roll, 1.5, 1, 0.0}};
+                  {ear_pitch, 20.0, 1, 0.5},   {beard, 24.0, 1, 0.5},       {body_roll, 1.5, 1, 0.0}};
     return clip;
 }
 
@@ -67,18 +72,25 @@ ClipScript eat() {
                    {of_foot(foot_z, 0), {{0.0, 0.13}}},
                    {of_foot(foot_z, 1), {{0.0, -0.10}}},
                    {ear_flick_right, {{0.0, 0}, {0.75, 0}, {0.77, 42}, {0.80, -8}, {0.83, 0}, {1.0, 0}}}};
-    clip.waves = {{jaw, 7.0, 9, 0.0},       {jaw, 6.0, 18, 0.1},    {head_pitch, 3.0, 9, 0.25},
-                  {head_yaw, 4.0, 3, 0.0},  {tail_yaw, 18.0, 5, 0.0}, {neck_pitch, 2.0, 3, 0.0},
+    clip.waves = {{jaw, 7.0, 9, 0.0},      {jaw, 6.0, 18, 0.1},      {head_pitch, 3.0, 9, 0.25},
+                  {head_yaw, 4.0, 3, 0.0}, {tail_yaw, 18.0, 5, 0.0}, {neck_pitch, 2.0, 3, 0.0},
                   {beard, 7.0, 9, 0.1}};
     return clip;
 }
 
-ClipScript sleep() {
+// How far the body sinks until belly or chest lies on the ground, as a part of the hip's height.
+double lying_drop(const QuadrupedShape& shape) {
+    const double belly = shape.hip_height * 0.985 - shape.belly_depth;
+    const double chest = shape.shoulder_height * 0.95 - shape.chest_depth * 1.05;
+    return std::min(belly, chest) / shape.hip_height;
+}
+
+ClipScript sleep(const QuadrupedShape& shape) {
     ClipScript clip{"Sleep", 96, Ending::closed, {}, {}, {}};
-    clip.tracks = {{body_y, {{0.0, -0.640}}},    {body_roll, {{0.0, -7}}},    {neck_yaw, {{0.0, 62}}},
-                   {neck_pitch, {{0.0, 50}}},    {head_yaw, {{0.0, 28}}},     {head_pitch, {{0.0, -6}}},
-                   {spine_yaw, {{0.0, 14}}},     {tail_yaw, {{0.0, 45}}},     {ear_pitch, {{0.0, -22}}},
-                   {tail_pitch, {{0.0, -45}}},   {shoulder_lift, {{0.0, 0.10}}}};
+    clip.tracks = {{body_y, {{0.0, -lying_drop(shape)}}},  {body_roll, {{0.0, -7}}},      {neck_yaw, {{0.0, 62}}},
+                   {neck_pitch, {{0.0, 50}}},  {head_yaw, {{0.0, 28}}},       {head_pitch, {{0.0, -6}}},
+                   {spine_yaw, {{0.0, 14}}},   {tail_yaw, {{0.0, 45}}},       {ear_pitch, {{0.0, -22}}},
+                   {tail_pitch, {{0.0, -45}}}, {shoulder_lift, {{0.0, 0.10}}}};
     for (const int foot : {0, 1}) {  // folded under the chest
         clip.tracks.push_back({of_foot(foot_y, foot), {{0.0, -0.045}}});
         clip.tracks.push_back({of_foot(foot_z, foot), {{0.0, -0.06}}});
@@ -93,7 +105,9 @@ ClipScript sleep() {
         clip.tracks.push_back({of_foot(cannon_pitch, foot), {{0.0, -78}}});
         clip.tracks.push_back({of_foot(foot_pitch, foot), {{0.0, 25}}});
     }
-    clip.waves = {{spine_pitch, 2.0, 2, 0.0}, {neck_pitch, 2.5, 2, 0.15}, {head_pitch, -1.5, 2, 0.2},
+    clip.waves = {{spine_pitch, 2.0, 2, 0.0},
+                  {neck_pitch, 2.5, 2, 0.15},
+                  {head_pitch, -1.5, 2, 0.2},
                   {body_y, 0.004, 2, 0.0}};
     return clip;
 }
@@ -115,10 +129,15 @@ ClipScript butt() {
         {jaw, {{0.0, 0}, {0.40, 10}, {0.52, 0}, {1.0, 0}}}};
     for (const int foot : {0, 1}) {
         const double late = foot == 0 ? 0.0 : 0.03;
-        clip.tracks.push_back({of_foot(foot_y, foot), {{0.0, 0}, {0.24 + late, 0.16}, {0.46, 0.16}, {0.56, 0}, {1.0, 0}}});
-        clip.tracks.push_back({of_foot(foot_z, foot), {{0.0, 0}, {0.30, 0.03}, {0.47, 0.05}, {0.56, 0.16}, {0.72, 0.16}, {0.86, 0}, {1.0, 0}}});
-        clip.tracks.push_back({of_foot(cannon_pitch, foot), {{0.0, 0}, {0.24 + late, 75}, {0.46, 70}, {0.56, 0}, {1.0, 0}}});
-        clip.tracks.push_back({of_foot(foot_pitch, foot), {{0.0, 0}, {0.22, 70}, {0.46, 60}, {0.56, 0}, {1.0, 0}}});
+        clip.tracks.push_back(
+            {of_foot(foot_y, foot), {{0.0, 0}, {0.24 + late, 0.16}, {0.46, 0.16}, {0.56, 0}, {1.0, 0}}});
+        clip.tracks.push_back(
+            {of_foot(foot_z, foot),
+             {{0.0, 0}, {0.30, 0.03}, {0.47, 0.05}, {0.56, 0.16}, {0.72, 0.16}, {0.86, 0}, {1.0, 0}}});
+        clip.tracks.push_back(
+            {of_foot(cannon_pitch, foot), {{0.0, 0}, {0.24 + late, 75}, {0.46, 70}, {0.56, 0}, {1.0, 0}}});
+        clip.tracks.push_back(
+            {of_foot(foot_pitch, foot), {{0.0, 0}, {0.22, 70}, {0.46, 60}, {0.56, 0}, {1.0, 0}}});
     }
     return clip;
 }
@@ -134,14 +153,19 @@ ClipScript bite() {
         {neck_pitch, {{0.0, 0}, {0.28, 44}, {0.42, 4}, {0.50, 28}, {0.72, 26}, {1.0, 0}}},
         {head_pitch, {{0.0, 0}, {0.28, -30}, {0.40, -34}, {0.46, 22}, {0.70, 4}, {1.0, 0}}},
         {jaw, {{0.0, 0}, {0.30, 12}, {0.40, 40}, {0.455, 3}, {0.74, 4}, {1.0, 0}}},
-        {head_yaw, {{0.0, 0}, {0.50, 0}, {0.56, 34}, {0.62, -34}, {0.68, 30}, {0.74, -20}, {0.82, 0}, {1.0, 0}}},
+        {head_yaw,
+         {{0.0, 0}, {0.50, 0}, {0.56, 34}, {0.62, -34}, {0.68, 30}, {0.74, -20}, {0.82, 0}, {1.0, 0}}},
         {head_roll, {{0.0, 0}, {0.50, 0}, {0.56, -16}, {0.62, 18}, {0.68, -14}, {0.80, 0}, {1.0, 0}}},
         {ear_pitch, {{0.0, 0}, {0.25, -32}, {0.80, -20}, {1.0, 0}}},
         {tail_pitch, {{0.0, 0}, {0.30, 24}, {0.46, 46}, {1.0, 0}}}};
     for (const int foot : {0, 1}) {
-        clip.tracks.push_back({of_foot(foot_y, foot), {{0.0, 0}, {0.30, 0}, {0.38, 0.16}, {0.46, 0}, {0.80, 0}, {0.88, 0.08}, {0.96, 0}}});
-        clip.tracks.push_back({of_foot(foot_z, foot), {{0.0, 0}, {0.30, 0}, {0.46, 0.22}, {0.80, 0.22}, {0.96, 0}}});
-        clip.tracks.push_back({of_foot(cannon_pitch, foot), {{0.0, 0}, {0.30, 0}, {0.38, 50}, {0.46, 0}, {1.0, 0}}});
+        clip.tracks.push_back(
+            {of_foot(foot_y, foot),
+             {{0.0, 0}, {0.30, 0}, {0.38, 0.16}, {0.46, 0}, {0.80, 0}, {0.88, 0.08}, {0.96, 0}}});
+        clip.tracks.push_back(
+            {of_foot(foot_z, foot), {{0.0, 0}, {0.30, 0}, {0.46, 0.22}, {0.80, 0.22}, {0.96, 0}}});
+        clip.tracks.push_back(
+            {of_foot(cannon_pitch, foot), {{0.0, 0}, {0.30, 0}, {0.38, 50}, {0.46, 0}, {1.0, 0}}});
     }
     return clip;
 }
@@ -194,7 +218,7 @@ ClipScript die() {
 
 std::vector<ClipScript> quadruped_scripts(const QuadrupedShape& shape) {
     const ClipScript attack = shape.horns == Horns::none ? bite() : butt();
-    return {idle(), walk(), trot(), gallop(), eat(), sleep(), attack, hit(), die()};
+    return {idle(), walk(), trot(), gallop(), eat(), sleep(shape), attack, hit(), die()};
 }
 
 }  // namespace posepack::menagerie

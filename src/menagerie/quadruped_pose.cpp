@@ -20,8 +20,8 @@ double value(const Values& values, int index) {
 
 // Spreads a turn over a chain of joints, with these shares.
 template <std::size_t N>
-void bend(Pose& pose, const std::vector<int>& chain, const std::array<double, N>& shares, double pitch_degrees,
-          double yaw_degrees) {
+void bend(Pose& pose, const std::vector<int>& chain, const std::array<double, N>& shares,
+          double pitch_degrees, double yaw_degrees) {
     for (std::size_t index = 0; index < chain.size(); ++index) {
         const double share = shares[std::min(index, N - 1)];
         pose.turns[static_cast<std::size_t>(chain[index])] =
@@ -80,12 +80,12 @@ GaitOffset gait_offset(const ClipScript& script, double phase, int foot_index) {
     // The joints close most in the first half of the swing.
     const double fold = 4.0 * step.swing * (1.0 - step.swing) * (1.35 - 0.7 * step.swing);
     return {{0.0, step.height * gait.lift, step.forward * gait.stroke},
-            fold * 55.0,
+            step.height * 55.0,
             fold * (front ? 55.0 : 22.0) * std::min(1.0, gait.lift * 8.0)};
 }
 
-void pose_foot(const Quadruped& animal, const ClipScript& script, double phase, const Values& v, int foot_index,
-               Pose& pose) {
+void pose_foot(const Quadruped& animal, const ClipScript& script, double phase, const Values& v,
+               int foot_index, Pose& pose) {
     const QuadrupedJoints& j = animal.joints;
     const bool front = foot_index < 2;
     const int side = foot_index % 2;

@@ -61,7 +61,8 @@ void add_head(Quadruped& animal) {
         const Vec3 root = hinge + (chin - hinge) * 0.8;
         j.beard = add_joint(rig, "Beard", j.jaw, root, root - kAxisY * s.beard_length);
     }
-    const Vec3 eye = poll + forward * (s.head_length * 0.34) + up * (s.head_depth * 0.36) + kAxisX * s.head_radius;
+    const Vec3 eye =
+        poll + forward * (s.head_length * 0.34) + up * (s.head_depth * 0.36) + kAxisX * s.head_radius;
     j.eye = add_joint_pair(rig, "Eye", j.head, eye, eye + kAxisX * 0.02);
     const Vec3 ear = poll + up * (s.head_depth * 0.55) + kAxisX * (s.head_radius * 0.72);
     const Vec3 ear_way = roll(s.ear_rise_degrees) * kAxisX * s.ear_length;
@@ -72,7 +73,8 @@ void add_head(Quadruped& animal) {
                       kAxisX * (s.head_radius * 0.40);
     const Vec3 middle = horn + Vec3(0.10, 0.62, -0.30) * s.horn_length;
     j.horn.push_back(add_joint_pair(rig, "Horn1", j.head, horn, middle));
-    j.horn.push_back(add_joint_pair(rig, "Horn2", j.horn.front(), middle, middle + Vec3(0.2, 0.1, -0.5) * s.horn_length));
+    j.horn.push_back(
+        add_joint_pair(rig, "Horn2", j.horn.front(), middle, middle + Vec3(0.2, 0.1, -0.5) * s.horn_length));
 }
 
 void add_tail(Quadruped& animal) {
@@ -93,9 +95,12 @@ LegLine front_line(const QuadrupedShape& s) {
     const double h = s.shoulder_height;
     const double x = s.stance_width;
     const double z = s.body_length * 0.5;
-    return {{x * 0.62, h * 0.93, z - 0.06 * h},         {x * 1.08, h * 0.66, z + 0.075 * h},
-            {x * 1.05, h * 0.525, z - 0.055 * h},       {x, h * 0.285, z - 0.02 * h},
-            {x, h * 0.095, z - 0.03 * h},               {x, h * 0.045, z + 0.008 * h},
+    return {{x * 0.62, h * 0.93, z - 0.06 * h},
+            {x * 1.08, h * 0.66, z + 0.075 * h},
+            {x * 1.05, h * 0.525, z - 0.055 * h},
+            {x, h * 0.285, z - 0.02 * h},
+            {x, h * 0.095, z - 0.03 * h},
+            {x, h * 0.045, z + 0.008 * h},
             {x, 0.0, z + 0.05 * h}};
 }
 
@@ -103,9 +108,12 @@ LegLine back_line(const QuadrupedShape& s) {
     const double h = s.hip_height;
     const double x = s.stance_width;
     const double z = -s.body_length * 0.5;
-    return {{x * 0.55, h * 0.93, z + 0.03 * h},   {x * 0.98, h * 0.80, z - 0.015 * h},
-            {x * 1.12, h * 0.545, z + 0.115 * h}, {x, h * 0.345, z - 0.135 * h},
-            {x, h * 0.095, z - 0.105 * h},        {x, h * 0.045, z - 0.067 * h},
+    return {{x * 0.55, h * 0.93, z + 0.03 * h},
+            {x * 0.98, h * 0.80, z - 0.015 * h},
+            {x * 1.12, h * 0.545, z + 0.115 * h},
+            {x, h * 0.345, z - 0.135 * h},
+            {x, h * 0.095, z - 0.105 * h},
+            {x, h * 0.045, z - 0.067 * h},
             {x, 0.0, z - 0.025 * h}};
 }
 

@@ -41,12 +41,12 @@ struct Gait {
 
 struct ClipScript {
     std::string name;
-    int steps_at_30_hz = 30;      // key steps from the first to the last key
+    int steps_at_30_hz = 30;  // key steps from the first to the last key
     Ending ending = Ending::closed;
     std::vector<Track> tracks;
     std::vector<Wave> waves;
     std::optional<Gait> gait;
-    double travel = 0.0;          // without a gait: way over the ground in one cycle, in the plan's unit of length
+    double travel = 0.0;  // without a gait: way over the ground in one cycle, in the plan's unit of length
 };
 
 // The values of all channels at a phase; channels that no track or wave names are zero.
@@ -58,8 +58,8 @@ int step_count(const ClipScript& script, int rate_hz);
 // Steps in one cycle: one more than there are where the loop is open.
 int cycle_step_count(const ClipScript& script, int rate_hz);
 
-// Where a foot is: `forward` from +0.5 to -0.5 of the stroke on the ground, back again in the air; `height` 0 on
-// the ground, 1 at the top of the swing; `swing` the part of the swing that is done, 0 on the ground.
+// Where a foot is: `forward` from +0.5 to -0.5 of the stroke on the ground, back again in the air; `height` 0
+// on the ground, 1 at the top of the swing; `swing` the part of the swing that is done, 0 on the ground.
 struct FootStep {
     double forward = 0.0;
     double height = 0.0;
@@ -68,8 +68,8 @@ struct FootStep {
 
 FootStep foot_step(const Gait& gait, double phase);
 
-// Way over the ground in one cycle, in the plan's unit of length: what a foot goes while it stands, and as much
-// again for the time that it does not; or the script's own travel.
+// Way over the ground in one cycle, in the plan's unit of length: what a foot goes while it stands, and as
+// much again for the time that it does not; or the script's own travel.
 double travel_per_cycle(const ClipScript& script);
 
 }  // namespace posepack::menagerie

@@ -45,14 +45,14 @@ void add_head(Snake& animal, int parent, const Vec3& neck) {
     j.tongue.push_back(add_joint(rig, "Tongue2", j.tongue.front(), tongue + half, tongue + half * 2.0));
 }
 
-// Heading of the serpentine, degrees, at a distance counted in waves (Hirose, Biologically Inspired Robots, 1993:
-// the serpenoid curve).
+// Heading of the serpentine, degrees, at a distance counted in waves (Hirose, Biologically Inspired Robots,
+// 1993: the serpenoid curve).
 double serpentine_heading(double swing_degrees, double waves) {
     return swing_degrees * sine_of_turns(waves);
 }
 
-// Way along the serpentine from 0 to `waves`, in wave lengths: x to the left, z ahead. The midpoint rule with 48
-// intervals a wave is exact to nine digits on whole waves of so smooth a curve.
+// Way along the serpentine from 0 to `waves`, in wave lengths: x to the left, z ahead. The midpoint rule with
+// 48 intervals a wave is exact to nine digits on whole waves of so smooth a curve.
 Vec3 serpentine_point(double swing_degrees, double waves) {
     constexpr int kIntervals = 48;
     const double whole = std::floor(waves);
@@ -107,7 +107,8 @@ void pose_chains(const Snake& animal, const Curve& curve, const Values& v, Pose&
         turn(j.front[static_cast<std::size_t>(index)]) = glm::conjugate(previous) * whole;
         previous = whole;
     }
-    turn(j.head) = glm::conjugate(previous) * segment_turn(kAxisZ, value(v, channel::head_yaw), -value(v, channel::head_pitch)) *
+    turn(j.head) = glm::conjugate(previous) *
+                   segment_turn(kAxisZ, value(v, channel::head_yaw), -value(v, channel::head_pitch)) *
                    roll(value(v, channel::head_roll));
     previous = middle;
     const double back = back_step(s);
@@ -179,7 +180,8 @@ Pose snake_pose(const Snake& animal, const ClipScript& script, double phase) {
     Curve curve{value(v, channel::swing), s.bends / s.length, 0.125};
     Vec3 way(0.0);
     if (script.travel > 0.0) {
-        // The middle slides along a curve that lies still on the ground, seen from a frame that goes ahead evenly.
+        // The middle slides along a curve that lies still on the ground, seen from a frame that goes ahead
+        // evenly.
         curve.shift += phase;
         way = serpentine_point(curve.swing, curve.shift) / curve.waves_per_metre;
         way.z -= phase * serpentine_advance(curve.swing) / curve.waves_per_metre;
@@ -194,7 +196,9 @@ Pose snake_pose(const Snake& animal, const ClipScript& script, double phase) {
 
 Model snake_model(const SnakeShape& shape, const ExportStyle& style, int rate_hz) {
     const Snake animal = snake_of(shape);
-    const auto pose = [&animal](const ClipScript& script, double phase) { return snake_pose(animal, script, phase); };
+    const auto pose = [&animal](const ClipScript& script, double phase) {
+        return snake_pose(animal, script, phase);
+    };
     std::vector<Clip> clips = perform(snake_scripts(), rate_hz, shape.length / shape.bends, pose);
     return {shape.name, animal.rig, snake_mesh(animal), std::move(clips), style};
 }

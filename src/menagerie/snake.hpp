@@ -13,16 +13,16 @@ namespace posepack::menagerie {
 // Lengths in metres.
 struct SnakeShape {
     std::string name;
-    double length = 0.85;          // from the neck to the tip of the tail
+    double length = 0.85;  // from the neck to the tip of the tail
     double body_radius = 0.027;
     double neck_radius = 0.015;
     double head_length = 0.066;
-    double head_radius = 0.027;   // across the jaws
+    double head_radius = 0.027;  // across the jaws
     double head_depth = 0.0175;
     double tongue_length = 0.044;
-    int front_joints = 8;          // from the middle to the neck
+    int front_joints = 8;  // from the middle to the neck
     int back_joints = 10;
-    double bends = 1.5;            // waves of the serpentine on the body
+    double bends = 1.5;  // waves of the serpentine on the body
 
     Colour back = 0xA8966A;
     Colour side = 0x8B7B56;
@@ -37,10 +37,10 @@ struct SnakeShape {
 
 // Joint numbers; pairs name the left one, the right one follows.
 struct SnakeJoints {
-    int root = 0;             // no weights
+    int root = 0;  // no weights
     int middle = 0;
-    std::vector<int> front;   // from the middle to the neck
-    std::vector<int> back;    // from the middle to the tail
+    std::vector<int> front;  // from the middle to the neck
+    std::vector<int> back;   // from the middle to the tail
     int head = 0;
     int jaw = 0;
     int eye = 0;
@@ -57,13 +57,22 @@ struct Snake {
 // Angles in degrees; ways as parts of the length.
 namespace snake_channel {
 enum : int {
-    body_x, body_y, body_z, body_roll,
-    swing,          // of the serpentine: the largest heading away from straight ahead
-    coil_front,     // heading gained over the front half, over the back half
+    body_x,
+    body_y,
+    body_z,
+    body_roll,
+    swing,       // of the serpentine: the largest heading away from straight ahead
+    coil_front,  // heading gained over the front half, over the back half
     coil_back,
-    rear,           // how far the front half stands up
-    crest,          // and bows its neck again
-    head_pitch, head_yaw, head_roll, jaw, fangs, tongue, tail_lift,
+    rear,   // how far the front half stands up
+    crest,  // and bows its neck again
+    head_pitch,
+    head_yaw,
+    head_roll,
+    jaw,
+    fangs,
+    tongue,
+    tail_lift,
     count
 };
 }  // namespace snake_channel

@@ -12,14 +12,24 @@ constexpr double kSlitherSwing = 34.0;
 
 // Flicks the tongue out and in, quivering, around a phase.
 Track tongue_flick(double at) {
-    return {tongue, {{0.0, 0}, {at, 0}, {at + 0.03, 1}, {at + 0.06, 0.7}, {at + 0.09, 1}, {at + 0.12, 0.75}, {at + 0.15, 1}, {at + 0.18, 0}, {1.0, 0}}};
+    return {tongue,
+            {{0.0, 0},
+             {at, 0},
+             {at + 0.03, 1},
+             {at + 0.06, 0.7},
+             {at + 0.09, 1},
+             {at + 0.12, 0.75},
+             {at + 0.15, 1},
+             {at + 0.18, 0},
+             {1.0, 0}}};
 }
 
 ClipScript idle() {
     ClipScript clip{"Idle", 90, Ending::closed, {}, {}, {}, 0.0};
-    clip.tracks = {{swing, {{0.0, 40}}}, {rear, {{0.0, 30}}}, {crest, {{0.0, 30}}}, {head_pitch, {{0.0, 4}}},
-                   tongue_flick(0.12), tongue_flick(0.60)};
-    clip.waves = {{head_yaw, 14.0, 1, 0.0}, {coil_front, 10.0, 1, 0.05}, {rear, 3.0, 2, 0.1}, {tail_lift, 2.0, 2, 0.0}};
+    clip.tracks = {{swing, {{0.0, 40}}},     {rear, {{0.0, 30}}}, {crest, {{0.0, 30}}},
+                   {head_pitch, {{0.0, 4}}}, tongue_flick(0.12),  tongue_flick(0.60)};
+    clip.waves = {
+        {head_yaw, 14.0, 1, 0.0}, {coil_front, 10.0, 1, 0.05}, {rear, 3.0, 2, 0.1}, {tail_lift, 2.0, 2, 0.0}};
     return clip;
 }
 
@@ -61,8 +71,8 @@ ClipScript rise() {
 
 ClipScript sleep() {
     ClipScript clip{"Sleep", 90, Ending::closed, {}, {}, {}, 0.0};
-    clip.tracks = {{swing, {{0.0, 10}}}, {coil_back, {{0.0, -420}}}, {coil_front, {{0.0, 260}}}, {head_yaw, {{0.0, 280}}},
-                   {rear, {{0.0, 5}}}, {crest, {{0.0, 5}}}};
+    clip.tracks = {{swing, {{0.0, 10}}},     {coil_back, {{0.0, -420}}}, {coil_front, {{0.0, 260}}},
+                   {head_yaw, {{0.0, 280}}}, {rear, {{0.0, 5}}},         {crest, {{0.0, 5}}}};
     clip.waves = {{coil_back, 3.0, 2, 0.0}, {coil_front, 2.0, 2, 0.1}};
     return clip;
 }
@@ -98,7 +108,10 @@ ClipScript hit() {
 ClipScript eat() {
     ClipScript clip{"Eat", 75, Ending::closed, {}, {}, {}, 0.0};
     clip.tracks = {{swing, {{0.0, 40}}}, {rear, {{0.0, 12}}}, {crest, {{0.0, 14}}}, {jaw, {{0.0, 20}}}};
-    clip.waves = {{jaw, 14.0, 5, 0.0}, {head_yaw, 12.0, 5, 0.25}, {head_roll, 12.0, 5, 0.25}, {body_z, 0.006, 5, 0.0},
+    clip.waves = {{jaw, 14.0, 5, 0.0},
+                  {head_yaw, 12.0, 5, 0.25},
+                  {head_roll, 12.0, 5, 0.25},
+                  {body_z, 0.006, 5, 0.0},
                   {coil_front, 6.0, 5, 0.3}};
     return clip;
 }

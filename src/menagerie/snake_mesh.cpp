@@ -73,7 +73,8 @@ void add_body(Builder& out) {
     neck.centre.y = out.head_of(j.head).y;
     loft.sections.push_back(neck);
     // At rest the chain is level at the thickest radius: bring the thinner ends up to it.
-    for (Section& section : loft.sections) section.centre.y = s.body_radius - (s.body_radius - section.up) * 0.25;
+    for (Section& section : loft.sections)
+        section.centre.y = s.body_radius - (s.body_radius - section.up) * 0.25;
     const Mark from = mark(out.mesh);
     add_loft(out.mesh, loft);
     add_zigzag(out, from);
@@ -118,9 +119,10 @@ void add_tongue(Builder& out) {
     loft.segments = 6;
     loft.start_cap = 0.0;
     loft.end_cap = 0.0;
-    loft.sections = {{root, r * 1.2, r * 0.6, r * 0.6, j.tongue[0], plain(s.tongue), 2},
-                     {root + kAxisZ * (l * 0.40), r * 1.2, r * 0.6, r * 0.6, j.tongue[0], plain(s.tongue), 2},
-                     {root + kAxisZ * (l * 0.68), r * 1.2, r * 0.6, r * 0.6, j.tongue[1], plain(s.tongue), 0}};
+    loft.sections = {
+        {root, r * 1.2, r * 0.6, r * 0.6, j.tongue[0], plain(s.tongue), 2},
+        {root + kAxisZ * (l * 0.40), r * 1.2, r * 0.6, r * 0.6, j.tongue[0], plain(s.tongue), 2},
+        {root + kAxisZ * (l * 0.68), r * 1.2, r * 0.6, r * 0.6, j.tongue[1], plain(s.tongue), 0}};
     add_loft(out.mesh, loft);
 }
 
@@ -143,9 +145,11 @@ void add_sides(Builder& out) {
     loft.start_cap = 0.0;
     loft.end_cap = 0.0005;
     const double t = s.head_depth * 0.09;
-    loft.sections = {{fang, t, t, t, j.fang, plain(s.fang), 1},
-                     {fang + Vec3(0.0, -0.45, -0.06) * s.head_depth, t * 0.7, t * 0.7, t * 0.7, j.fang, plain(s.fang), 1},
-                     {fang + Vec3(0.0, -0.85, -0.22) * s.head_depth, t * 0.15, t * 0.15, t * 0.15, j.fang, plain(s.fang), 0}};
+    loft.sections = {
+        {fang, t, t, t, j.fang, plain(s.fang), 1},
+        {fang + Vec3(0.0, -0.45, -0.06) * s.head_depth, t * 0.7, t * 0.7, t * 0.7, j.fang, plain(s.fang), 1},
+        {fang + Vec3(0.0, -0.85, -0.22) * s.head_depth, t * 0.15, t * 0.15, t * 0.15, j.fang, plain(s.fang),
+         0}};
     add_loft(out.mesh, loft);
     const double l = s.tongue_length;
     const Vec3 fork = out.head_of(j.tongue[0]) + kAxisZ * (l * 0.64);
@@ -153,7 +157,8 @@ void add_sides(Builder& out) {
     loft.segments = 6;
     loft.sections = {{fork, f, f, f, j.tongue[1], plain(s.tongue), 1},
                      {fork + Vec3(l * 0.07, l * 0.02, l * 0.20), f, f, f, j.tongue[1], plain(s.tongue), 1},
-                     {fork + Vec3(l * 0.17, l * 0.06, l * 0.36), f * 0.3, f * 0.3, f * 0.3, j.tongue[1], plain(s.tongue), 0}};
+                     {fork + Vec3(l * 0.17, l * 0.06, l * 0.36), f * 0.3, f * 0.3, f * 0.3, j.tongue[1],
+                      plain(s.tongue), 0}};
     add_loft(out.mesh, loft);
 }
 

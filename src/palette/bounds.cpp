@@ -32,7 +32,7 @@ BoneBoxes::BoneBoxes(const animal::Animal& animal) {
     }
 }
 
-void BoneBoxes::add(std::span<const float> matrices, Box& box, bool is_first) const {
+void BoneBoxes::add(std::span<const float> matrices, Box& box) const {
     for (const BoneBox& bone : boxes_)
         for (std::size_t r = 0; r < 3; ++r) {
             const float* m = &matrices[bone.bone * 12 + r * 4];
@@ -42,11 +42,8 @@ void BoneBoxes::add(std::span<const float> matrices, Box& box, bool is_first) co
                 center += static_cast<double>(m[c]) * bone.center[c];
                 reach += std::abs(static_cast<double>(m[c])) * bone.half_size[c];
             }
-            const float low = std::nextafter(static_cast<float>(center - reach), -HUGE_VALF);
-            const float high = std::nextafter(static_cast<float>(center + reach), HUGE_VALF);
-            const bool fresh = is_first && &bone == boxes_.data();
-            box.low[r] = fresh ? low : std::min(box.low[r], low);
-            box.high[r] = fresh ? high : std::max(box.high[r], high);
+            box.low[r] = std::min(box.low[r], center - reach);
+            box.high[r] = std::max(box.high[r], center + reach);
         }
 }
 

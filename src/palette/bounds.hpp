@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -12,8 +13,10 @@
 namespace posepack::palette {
 
 struct Box {
-    std::array<float, 3> low{};
-    std::array<float, 3> high{};
+    std::array<double, 3> low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
+    std::array<double, 3> high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+
+    bool is_empty() const { return low[0] > high[0]; }
 };
 
 // The box of the vertices that each bone moves, in mesh space; bones that move none have none.
@@ -21,9 +24,8 @@ class BoneBoxes {
  public:
     explicit BoneBoxes(const animal::Animal& animal);
 
-    // Grows `box` by every bone's box under `matrices` (3x4 row-major, one a bone, as stored). `is_first`:
-    // the box holds nothing yet. Rounded outward by one unit in the last place of a float.
-    void add(std::span<const float> matrices, Box& box, bool is_first) const;
+    // Grows `box` by every bone's box under `matrices` (3x4 row-major, one a bone, as stored).
+    void add(std::span<const float> matrices, Box& box) const;
 
  private:
     struct BoneBox {

@@ -2,6 +2,7 @@
 #include "palette/container_writer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -90,14 +91,21 @@ std::uint32_t wrap_value(recipe::Wrap wrap) {
     }
 }
 
+// Floats that bound the box and its sphere from outside.
 void write_bounds(ByteWriter& out, const Box& box) {
+    std::array<float, 3> low{};
+    std::array<float, 3> high{};
+    for (std::size_t c = 0; c < 3 && !box.is_empty(); ++c) {
+        low[c] = std::nextafter(static_cast<float>(box.low[c]), -HUGE_VALF);
+        high[c] = std::nextafter(static_cast<float>(box.high[c]), HUGE_VALF);
+    }
+    for (const float value : low) out.f32(value);
+    for (const float value : high) out.f32(value);
     double square = 0.0;
-    for (std::size_t c = 0; c < 3; ++c) out.f32(box.low[c]);
-    for (std::size_t c = 0; c < 3; ++c) out.f32(box.high[c]);
     for (std::size_t c = 0; c < 3; ++c) {
-        const float center = 0.5f * (box.low[c] + box.high[c]);
+        const auto center = static_cast<float>(0.5 * (static_cast<double>(low[c]) + high[c]));
         const double reach =
-            std::max(static_cast<double>(box.high[c]) - center, center - static_cast<double>(box.low[c]));
+            std::max(static_cast<double>(high[c]) - center, static_cast<double>(center) - low[c]);
         square += reach * reach;
         out.f32(center);
     }

@@ -2,7 +2,6 @@
 #include "palette/encode.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "format/bytes.h"
@@ -13,45 +12,63 @@
 namespace posepack::palette {
 namespace {
 
-// Texel k of an affine form holds row k of the 3x4; texel k of a mat4 holds column k of the 4x4.
-std::array<float, 4> texel_of(const float* m, std::uint8_t encoding, unsigned k) {
-    if (encoding == POSEPACK_ENCODING_AFFINE) return {m[k * 4], m[k * 4 + 1], m[k * 4 + 2], m[k * 4 + 3]};
-    return {m[k], m[4 + k], m[8 + k], k == 3 ? 1.0f : 0.0f};
+void write_number(std::uint8_t* at, std::uint16_t half) {
+    posepack_write_u16(at, half);
+}
+void write_number(std::uint8_t* at, float value) {
+    posepack_write_f32(at, value);
+}
+
+// The texels of one bone from its 3x4 matrix `m`. Texel k of an affine form holds row k; texel k of a mat4
+// holds column k of the 4x4, whose last row is 0 0 0 1.
+template <class Number>
+void write_bone(std::uint8_t* at, std::size_t texel_step, const Number* m, std::uint8_t encoding,
+                Number one) {
+    constexpr std::size_t kSize = sizeof(Number);
+    if (encoding == POSEPACK_ENCODING_AFFINE) {
+        for (std::size_t k = 0; k < 3; ++k, at += texel_step)
+            for (std::size_t c = 0; c < 4; ++c) write_number(at + c * kSize, m[k * 4 + c]);
+        return;
+    }
+    for (std::size_t k = 0; k < 4; ++k, at += texel_step) {
+        for (std::size_t c = 0; c < 3; ++c) write_number(at + c * kSize, m[c * 4 + k]);
+        write_number(at + 3 * kSize, k == 3 ? one : Number{0});
+    }
 }
 
 }  // namespace
 
 RowEncoder::RowEncoder(const Layout& layout)
-    : layout_(layout), pixels_(static_cast<std::size_t>(layout.pixel_bytes())) {}
+    : layout_(layout),
+      pixels_(static_cast<std::size_t>(layout.pixel_bytes())),
+      halves_(std::size_t{layout.bone_count} * 12) {}
 
 std::uint32_t RowEncoder::encode(std::uint32_t row, std::span<const motion::Affine> bones,
                                  std::span<float> stored) {
     const bool half = layout_.texel_format == POSEPACK_TEXEL_RGBA16F;
     for (std::uint32_t b = 0; b < layout_.bone_count; ++b)
-        for (int r = 0; r < 3; ++r)
-            for (int c = 0; c < 4; ++c) {
-                const double exact = c < 3 ? bones[b].linear[c][r] : bones[b].translation[r];
-                auto value = static_cast<float>(exact);
-                if (half) value = posepack_float_from_half(posepack_half_from_float(value));
-                if (!std::isfinite(value)) return b;
-                stored[b * 12 + static_cast<std::uint32_t>(r * 4 + c)] = value;
+        for (std::uint32_t e = 0; e < 12; ++e) {
+            const int r = static_cast<int>(e / 4);
+            const int c = static_cast<int>(e % 4);
+            auto value = static_cast<float>(c < 3 ? bones[b].linear[c][r] : bones[b].translation[r]);
+            if (half) {
+                halves_[b * 12 + e] = posepack_half_from_float(value);
+                value = posepack_float_from_half(halves_[b * 12 + e]);
             }
+            if (!std::isfinite(value)) return b;
+            stored[b * 12 + e] = value;
+        }
     const posepack_texel_layout texels{layout_.bone_count,  layout_.texels_per_bone, layout_.texel_order,
                                        layout_.texel_bytes, layout_.rows_per_line,   layout_.row_pitch_bytes};
-    std::uint8_t* first = pixels_.data() + posepack_texel_offset(&texels, row, 0, 0);
-    const std::size_t planar = layout_.texel_order == POSEPACK_ORDER_PLANAR;
-    const std::size_t bone_step = layout_.texel_bytes * (planar ? 1u : layout_.texels_per_bone);
-    const std::size_t texel_step = layout_.texel_bytes * (planar ? layout_.bone_count : 1u);
-    for (std::uint32_t b = 0; b < layout_.bone_count; ++b)
-        for (std::uint32_t k = 0; k < layout_.texels_per_bone; ++k) {
-            std::uint8_t* at = first + b * bone_step + k * texel_step;
-            const auto texel = texel_of(&stored[b * 12], layout_.encoding, k);
-            for (std::size_t c = 0; c < 4; ++c)
-                if (half)
-                    posepack_write_u16(at + c * 2, posepack_half_from_float(texel[c]));
-                else
-                    posepack_write_f32(at + c * 4, texel[c]);
-        }
+    std::uint8_t* at = pixels_.data() + posepack_texel_offset(&texels, row, 0, 0);
+    const bool planar = layout_.texel_order == POSEPACK_ORDER_PLANAR;
+    const std::size_t bone_step = std::size_t{layout_.texel_bytes} * (planar ? 1 : layout_.texels_per_bone);
+    const std::size_t texel_step = std::size_t{layout_.texel_bytes} * (planar ? layout_.bone_count : 1);
+    for (std::uint32_t b = 0; b < layout_.bone_count; ++b, at += bone_step)
+        if (half)
+            write_bone(at, texel_step, &halves_[b * 12], layout_.encoding, std::uint16_t{POSEPACK_HALF_ONE});
+        else
+            write_bone(at, texel_step, &stored[b * 12], layout_.encoding, 1.0f);
     return layout_.bone_count;
 }
 

@@ -27,6 +27,7 @@ class RowEncoder {
  private:
     Layout layout_;
     std::vector<std::uint8_t> pixels_;
+    std::vector<std::uint16_t> halves_;  // of the row being written
 };
 
 }  // namespace posepack::palette

@@ -92,7 +92,7 @@ void put_error(Bytes& clip, std::size_t offset, bool measured) {
     put_u32(clip, offset + 20, measured ? 5 : POSEPACK_NONE);
     put_u32(clip, offset + 24, measured ? 1 : POSEPACK_NONE);
     if (!measured) return;
-    const std::array<float, 4> values = {0.02f, 0.015f, 0.003f, 0.125f}; // max, p99.9, rms, time
+    const std::array<float, 4> values = {0.02f, 0.015f, 0.003f, 0.125f};  // max, p99.9, rms, time
     for (std::size_t i = 0; i < values.size(); ++i) put_f32(clip, offset + 4 * i, values[i]);
 }
 
@@ -190,7 +190,7 @@ Bytes make_pixels(const TinyOptions& options) {
     const std::uint32_t texels = texels_per_bone(options);
     Bytes section(static_cast<std::size_t>(row_pitch(options)) * line_count(options));
     for (std::uint32_t place = 0; place < options.rows_per_line * line_count(options); ++place) {
-        const std::uint32_t row = std::min(place, kTinyRowCount - 1); // places left over repeat the last row
+        const std::uint32_t row = std::min(place, kTinyRowCount - 1);  // places left over repeat the last row
         for (std::uint32_t i = 0; i < kTinyBoneCount * texels * 4; ++i) {
             const std::uint32_t texel = i / 4;
             const bool planar = options.texel_order == POSEPACK_ORDER_PLANAR;
@@ -211,13 +211,13 @@ Bytes make_pixels(const TinyOptions& options) {
     return section;
 }
 
-} // namespace
+}  // namespace
 
 Bytes& Parts::operator[](std::uint32_t type) {
     for (Section& section : sections) {
         if (section.type == type) return section.bytes;
     }
-    std::abort(); // a mistake in a test
+    std::abort();  // a mistake in a test
 }
 
 float tiny_element(std::uint32_t row, std::uint32_t bone, std::uint32_t element) {
@@ -317,7 +317,7 @@ std::size_t entry_offset(const Bytes& bytes, std::uint32_t type) {
         const std::size_t entry = POSEPACK_HEADER_BYTES + i * POSEPACK_ENTRY_BYTES;
         if (get_u32(bytes, entry + POSEPACK_ENT_TYPE) == type) return entry;
     }
-    std::abort(); // a mistake in a test
+    std::abort();  // a mistake in a test
 }
 
 std::size_t section_offset(const Bytes& bytes, std::uint32_t type) {
@@ -343,4 +343,4 @@ std::uint64_t get_u64(const Bytes& bytes, std::size_t offset) {
     return posepack_read_u64(&bytes.at(offset));
 }
 
-} // namespace posepack::test
+}  // namespace posepack::test

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Framing: magic, versions, sizes, limits, the section table and the places of sections. Rule numbers are
-// those of docs/format/posepack-1.md.
+// those of docs/format/posepack-1.md; P and two digits number the list of bad containers that every release
+// answers alike.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -97,11 +98,11 @@ void replace_line_feeds(Bytes& bytes) {
 TEST(Open, ArgumentsAndShortBuffers) {
     const Bytes good = make_container();
     posepack_view view;
-    EXPECT_EQ(posepack_open(&view, nullptr, 0), POSEPACK_ERROR_ARG); // P01
+    EXPECT_EQ(posepack_open(&view, nullptr, 0), POSEPACK_ERROR_ARG);  // P01
     EXPECT_EQ(posepack_open(&view, nullptr, good.size()), POSEPACK_ERROR_ARG);
     EXPECT_EQ(posepack_open(nullptr, good.data(), good.size()), POSEPACK_ERROR_ARG);
     EXPECT_EQ(posepack_open(&view, good.data(), 0), POSEPACK_ERROR_TOO_SMALL);
-    EXPECT_EQ(posepack_open(&view, good.data(), 127), POSEPACK_ERROR_TOO_SMALL); // P02
+    EXPECT_EQ(posepack_open(&view, good.data(), 127), POSEPACK_ERROR_TOO_SMALL);  // P02
 }
 
 TEST(Open, AFailureLeavesTheViewEmpty) {
@@ -207,10 +208,10 @@ TEST(Open, ATableThatLeavesTheFileIsRefused) {
     header.resize(POSEPACK_HEADER_BYTES + 6 * POSEPACK_ENTRY_BYTES - 1);
     put_u64(header, POSEPACK_HDR_FILE_BYTES, header.size());
     seal_header(header);
-    EXPECT_EQ(open_name(header), "SECTION"); // F12
+    EXPECT_EQ(open_name(header), "SECTION");  // F12
 }
 
-TEST(Open, AnyBitOfTheHeaderPastByte15) { // P10
+TEST(Open, AnyBitOfTheHeaderPastByte15) {  // P10
     Bytes bytes = make_container();
     for (std::size_t bit = 16 * 8; bit < POSEPACK_HEADER_BYTES * 8; ++bit) {
         bytes[bit / 8] ^= static_cast<std::uint8_t>(1u << (bit % 8));
@@ -219,7 +220,7 @@ TEST(Open, AnyBitOfTheHeaderPastByte15) { // P10
     }
 }
 
-TEST(Open, AnyBitOfTheTable) { // P11
+TEST(Open, AnyBitOfTheTable) {  // P11
     Bytes bytes = make_container();
     const std::size_t end = POSEPACK_HEADER_BYTES + 6 * POSEPACK_ENTRY_BYTES;
     for (std::size_t bit = POSEPACK_HEADER_BYTES * 8; bit < end * 8; ++bit) {
@@ -333,10 +334,10 @@ TEST(Open, SectionsBehindTheEndOfTheFileAreRefused) {
                  get_u64(bytes, strs + POSEPACK_ENT_STORED_BYTES));
     put_u64(bytes, POSEPACK_HDR_FILE_BYTES, bytes.size());
     seal(bytes);
-    EXPECT_EQ(open_name(bytes), "SECTION"); // T10
+    EXPECT_EQ(open_name(bytes), "SECTION");  // T10
 }
 
-TEST(Open, UnknownOptionalSectionsAndFeaturesAreSkipped) { // P20
+TEST(Open, UnknownOptionalSectionsAndFeaturesAreSkipped) {  // P20
     Parts pieces = make_parts();
     pieces.sections.push_back({POSEPACK_FOURCC('a', 'b', 'C', 'd'), {1, 2, 3}});
     pieces.sections.push_back({POSEPACK_FOURCC('z', 'S', 'T', 'D'), {9}, POSEPACK_CODEC_ZSTD, 12, 77});
@@ -345,7 +346,7 @@ TEST(Open, UnknownOptionalSectionsAndFeaturesAreSkipped) { // P20
     posepack_view view;
     ASSERT_EQ(posepack_open(&view, bytes.data(), bytes.size()), POSEPACK_OK);
     EXPECT_EQ(view.header.section_count, 8u);
-    bytes.back() ^= 1; // skipped, and still checked
+    bytes.back() ^= 1;  // skipped, and still checked
     EXPECT_EQ(open_name(bytes), "SECTION_CRC");
 }
 
@@ -363,5 +364,5 @@ TEST(Open, AsManySectionsAsTheLimitAllows) {
     EXPECT_EQ(open_name(assemble(pieces)), "OK");
 }
 
-} // namespace
-} // namespace posepack::test
+}  // namespace
+}  // namespace posepack::test

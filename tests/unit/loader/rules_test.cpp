@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The rules about what header fields, tables and texels mean. Every container here has right checksums. Rule
-// numbers are those of docs/format/posepack-1.md.
+// numbers are those of docs/format/posepack-1.md; P and two digits number the list of bad containers that
+// every release answers alike.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -187,28 +188,28 @@ TEST(Rules, Bones) {
 
 TEST(Rules, Space) {
     run({
-        {"P1", "shorter than its head", [](Parts& p) { p[kSpac].resize(60); }},
-        {"P1", "shorter than its records", resize(kSpac, -4)},
-        {"P1", "longer than its records", resize(kSpac, 4)},
-        {"P1", "2^32 - 1 meshes", u32(kSpac, POSEPACK_SPAC_MESH_COUNT, 0xFFFFFFFF)},
-        {"P1", "record size", u32(kSpac, POSEPACK_SPAC_RECORD_SIZE, 84)},
-        {"P2", "model_from_palette", u32(kSpac, POSEPACK_SPAC_MODEL_FROM_PALETTE + 44, kNaN)},
-        {"P3", "not the identity without the flag", header_u8(POSEPACK_HDR_SPACE_FLAGS, 0)},
-        {"P4", "forward axis", u32(kSpac, POSEPACK_SPAC_FORWARD_AXIS, 4)},
-        {"P5", "no metres", u32(kSpac, POSEPACK_SPAC_METRES_PER_UNIT, 0)},
-        {"P5", "negative metres", u32(kSpac, POSEPACK_SPAC_METRES_PER_UNIT, kMinusOne)},
-        {"P5", "infinite metres", u32(kSpac, POSEPACK_SPAC_METRES_PER_UNIT, kInfinity)},
-        {"P6", "name", u32(kSpac, kMesh1 + POSEPACK_MESH_NAME, 11)},
-        {"P7", "first joint behind the map", u32(kSpac, kMesh1 + POSEPACK_MESH_FIRST_JOINT, 6)},
-        {"P7", "one joint too many", u32(kSpac, kMesh1 + POSEPACK_MESH_JOINT_COUNT, 3)},
-        {"P7", "first + count wraps", u32(kSpac, kMesh1 + POSEPACK_MESH_JOINT_COUNT, 0xFFFFFFFE)},
-        {"P8", "reserved word", u32(kSpac, kMesh0 + POSEPACK_MESH_RESERVED, 1)},
-        {"P9", "palette_from_mesh", u32(kSpac, kMesh0 + POSEPACK_MESH_PALETTE_FROM_MESH, kInfinity)},
+        {"M1", "shorter than its head", [](Parts& p) { p[kSpac].resize(60); }},
+        {"M1", "shorter than its records", resize(kSpac, -4)},
+        {"M1", "longer than its records", resize(kSpac, 4)},
+        {"M1", "2^32 - 1 meshes", u32(kSpac, POSEPACK_SPAC_MESH_COUNT, 0xFFFFFFFF)},
+        {"M1", "record size", u32(kSpac, POSEPACK_SPAC_RECORD_SIZE, 84)},
+        {"M2", "model_from_palette", u32(kSpac, POSEPACK_SPAC_MODEL_FROM_PALETTE + 44, kNaN)},
+        {"M3", "not the identity without the flag", header_u8(POSEPACK_HDR_SPACE_FLAGS, 0)},
+        {"M4", "forward axis", u32(kSpac, POSEPACK_SPAC_FORWARD_AXIS, 4)},
+        {"M5", "no metres", u32(kSpac, POSEPACK_SPAC_METRES_PER_UNIT, 0)},
+        {"M5", "negative metres", u32(kSpac, POSEPACK_SPAC_METRES_PER_UNIT, kMinusOne)},
+        {"M5", "infinite metres", u32(kSpac, POSEPACK_SPAC_METRES_PER_UNIT, kInfinity)},
+        {"M6", "name", u32(kSpac, kMesh1 + POSEPACK_MESH_NAME, 11)},
+        {"M7", "first joint behind the map", u32(kSpac, kMesh1 + POSEPACK_MESH_FIRST_JOINT, 6)},
+        {"M7", "one joint too many", u32(kSpac, kMesh1 + POSEPACK_MESH_JOINT_COUNT, 3)},
+        {"M7", "first + count wraps", u32(kSpac, kMesh1 + POSEPACK_MESH_JOINT_COUNT, 0xFFFFFFFE)},
+        {"M8", "reserved word", u32(kSpac, kMesh0 + POSEPACK_MESH_RESERVED, 1)},
+        {"M9", "palette_from_mesh", u32(kSpac, kMesh0 + POSEPACK_MESH_PALETTE_FROM_MESH, kInfinity)},
     });
 }
 
 TEST(Rules, SpaceWithoutTheFlagIsTheIdentity) {
-    run({{"P3", "the identity",
+    run({{"M3", "the identity",
           [](Parts& p) {
               p.header[POSEPACK_HDR_SPACE_FLAGS] = 0;
               for (std::size_t i = 0; i < 12; ++i) {
@@ -216,7 +217,7 @@ TEST(Rules, SpaceWithoutTheFlagIsTheIdentity) {
               }
           },
           POSEPACK_OK},
-         {"P7", "an empty range behind the last joint",
+         {"M7", "an empty range behind the last joint",
           [](Parts& p) {
               put_u32(p[kSpac], kMesh1 + POSEPACK_MESH_FIRST_JOINT, 5);
               put_u32(p[kSpac], kMesh1 + POSEPACK_MESH_JOINT_COUNT, 0);
@@ -489,7 +490,7 @@ TEST(Rules, BottomRowOfMat4) {
 
 TEST(Rules, PlacesBehindTheLastRowRepeatIt) {
     TinyOptions options;
-    options.rows_per_line = 3; // five rows: one place is left
+    options.rows_per_line = 3;  // five rows: one place is left
     run({{"X3", "the first byte", u16(kPixl, 72 * 5, 0x3C00)},
          {"X3", "the last byte", u16(kPixl, 72 * 6 - 2, 0x3C00)},
          {"X3", "zero bytes", [](Parts& p) { std::fill(p[kPixl].end() - 72, p[kPixl].end(), 0); }}},
@@ -504,5 +505,5 @@ TEST(Rules, FillBehindALineIsZero) {
         options);
 }
 
-} // namespace
-} // namespace posepack::test
+}  // namespace
+}  // namespace posepack::test

@@ -122,7 +122,7 @@ TEST(Safety, SealedBitFlipsNeverReadOutside) {
     GuardedBytes memory(good.size());
     int opened = 0;
     for (std::size_t bit = 0; bit < 8 * good.size(); ++bit) {
-        if (bit / 8 >= 1200 && bit / 8 < 4096) continue; // fill: covered by the test above
+        if (bit / 8 >= 1200 && bit / 8 < 4096) continue;  // fill: covered by the test above
         Bytes bytes = good;
         flip_bit(bytes, bit);
         seal(bytes);
@@ -132,7 +132,7 @@ TEST(Safety, SealedBitFlipsNeverReadOutside) {
             ++opened;
         }
     }
-    EXPECT_GT(opened, 1000); // recipe, node numbers, finite floats
+    EXPECT_GT(opened, 1000);  // recipe, node numbers, finite floats
 }
 
 TEST(Safety, BytesThatChangeAfterOpenNeverReadOutside) {
@@ -215,5 +215,5 @@ TEST(Safety, IndicesThatChangeAfterOpenAreCheckedAgain) {
     EXPECT_EQ(posepack_map_joint(&view, 0, 6, &value), POSEPACK_ERROR_INDEX);
 }
 
-} // namespace
-} // namespace posepack::test
+}  // namespace
+}  // namespace posepack::test

@@ -299,5 +299,5 @@ TEST(Results, NamesAreDistinctAndKnown) {
     EXPECT_STREQ(posepack_result_name(12345), "UNKNOWN");
 }
 
-} // namespace
-} // namespace posepack::test
+}  // namespace
+}  // namespace posepack::test

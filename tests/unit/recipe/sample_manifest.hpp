@@ -76,7 +76,11 @@ inline Manifest sample_manifest() {
     deer.has_vram = true;
     deer.vram = {1, 2, 3, 4, 5, 6, 7};
     deer.remarks = {"warning[W-CLIP-RATE]: Walk: baked at 30 Hz"};
-    return {3, "0.1.0", std::string(64, 'f'), R"({"encoding":"affine","strict":true})", {deer, sample_record("fox")}};
+    return {3,
+            "0.1.0",
+            std::string(64, 'f'),
+            R"({"encoding":"affine","strict":true})",
+            {deer, sample_record("fox")}};
 }
 
 }  // namespace posepack::recipe
