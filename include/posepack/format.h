@@ -127,7 +127,7 @@
 #define POSEPACK_CODEC_MESHOPT 1u
 #define POSEPACK_CODEC_ZSTD 2u
 
-/* CLIP: this head, then clip_count records, then cut_count rows (u32, rising within a clip). */
+/* CLIP: this head, then clip_count records, then cut_count rows of clips (u32, rising within a clip). */
 #define POSEPACK_CLIP_HEAD_BYTES 16u
 #define POSEPACK_CLIP_HEAD_COUNT 0        /* u32, equals the header's clip_count */
 #define POSEPACK_CLIP_HEAD_RECORD_BYTES 4 /* u32, 192 */

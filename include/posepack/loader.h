@@ -116,7 +116,10 @@ typedef struct posepack_string {
     uint32_t size_bytes;
 } posepack_string;
 
-/* Measured error of one clip: every vertex, at rows, source keys and the midpoints between. */
+/*
+ * Measured error of one clip: every vertex, at rows, source keys and the midpoints between. Amounts are
+ * zero and indices POSEPACK_NONE where nothing was measured.
+ */
 typedef struct posepack_clip_error {
     float max, p999, rms; /* fraction of R */
     float time_s;         /* clip time of the maximum */
@@ -199,11 +202,14 @@ const char* posepack_result_name(posepack_result result);
 /* Clip `index` < header.clip_count. OK, ARG or INDEX. O(1). */
 posepack_result posepack_get_clip(const posepack_view* view, uint32_t index, posepack_clip* clip);
 
-/* Cut row `index` < clip.cut_count of clip `clip_index`: a row that does not blend into the next. */
+/*
+ * Cut `index` < clip.cut_count of clip `clip_index`: a row, counted from the clip's first, that does not
+ * blend into the next. OK, ARG or INDEX.
+ */
 posepack_result posepack_get_cut(const posepack_view* view, uint32_t clip_index, uint32_t index,
                                  uint32_t* row);
 
-/* Index of the clip called `name` (zero-terminated UTF-8, exact). OK, ARG or NOT_FOUND. O(clips). */
+/* Index of the first clip called `name` (zero-terminated UTF-8, exact). OK, ARG or NOT_FOUND. O(clips). */
 posepack_result posepack_find_clip(const posepack_view* view, const char* name, uint32_t* index);
 
 /* Number of states, and the default one (POSEPACK_NONE where the catalog names none). */

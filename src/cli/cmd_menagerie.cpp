@@ -59,6 +59,7 @@ Runner add_menagerie(CLI::App& app) {
     app.add_option("folder", options->folder, "Folder for the GLB files")->required()->type_name("DIR");
     app.add_option("--only", options->only, "Only these animals (ids, comma-separated)")
         ->delimiter(',')
+        ->allow_extra_args(false)
         ->type_name("ID");
     return [options] { return run(*options); };
 }

@@ -111,6 +111,7 @@ Runner add_report(CLI::App& app) {
     app.add_option("--rates", options->rates,
                    "Rates to try, in Hz, and 'keys' for each clip's own key grid (default: keys,15,30,60)")
         ->delimiter(',')
+        ->allow_extra_args(false)
         ->check([](const std::string& text) { return parse_rate(text), std::string(); })
         ->type_name("LIST");
     add_format_option(app, options->format, true);

@@ -95,16 +95,12 @@ int parse_and_run(int argc, char** argv) {
 }  // namespace posepack::cli
 
 int main(int argc, char** argv) {
-    using posepack::base::ExitCode;
+    using posepack::base::IssueCode;
     try {
         return posepack::cli::parse_and_run(argc, argv);
     } catch (const std::bad_alloc&) {
-        std::fputs("posepack: error[E-MEMORY]: the system gave no more memory; try: fewer --jobs\n", stderr);
-        return static_cast<int>(ExitCode::io);
+        return posepack::cli::fail({IssueCode::memory, "", "an allocation failed"});
     } catch (const std::exception& exception) {
-        std::fprintf(stderr,
-                     "posepack: internal error: %s; please report this with the command line and the input\n",
-                     exception.what());
-        return static_cast<int>(ExitCode::internal);
+        return posepack::cli::fail({IssueCode::internal, "", exception.what()});
     }
 }

@@ -48,6 +48,7 @@ void add_catalog_options(CLI::App& app, const std::shared_ptr<bake::CatalogSourc
         ->type_name("DIR");
     app.add_option("--only", source->only, "Only these animals (ids, comma-separated)")
         ->delimiter(',')
+        ->allow_extra_args(false)
         ->type_name("ID");
 }
 

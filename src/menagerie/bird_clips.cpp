@@ -84,8 +84,8 @@ ClipScript peck() {
         for (Stop& stop : track.stops) stop.value *= amount;
         return track;
     };
-    clip.tracks = {scaled(body_pitch, 52),
-                   scaled(neck_pitch, 38),
+    clip.tracks = {scaled(body_pitch, 44),
+                   scaled(neck_pitch, 28),
                    scaled(head_pitch, -6),
                    scaled(body_y, -0.18),
                    scaled(tail_pitch, 12),
@@ -106,8 +106,8 @@ ClipScript peck() {
 
 ClipScript drink() {
     ClipScript clip{"Drink", 75, Ending::closed, {}, {}, {}, 0.0};
-    clip.tracks = {{body_pitch, {{0.0, 0}, {0.20, 50}, {0.36, 50}, {0.55, -10}, {0.80, -10}, {1.0, 0}}},
-                   {neck_pitch, {{0.0, 0}, {0.20, 36}, {0.36, 36}, {0.55, -25}, {0.80, -25}, {1.0, 0}}},
+    clip.tracks = {{body_pitch, {{0.0, 0}, {0.20, 42}, {0.36, 42}, {0.55, -10}, {0.80, -10}, {1.0, 0}}},
+                   {neck_pitch, {{0.0, 0}, {0.20, 28}, {0.36, 28}, {0.55, -25}, {0.80, -25}, {1.0, 0}}},
                    {head_pitch, {{0.0, 0}, {0.36, -6}, {0.55, -38}, {0.80, -38}, {1.0, 0}}},
                    {body_y, {{0.0, 0}, {0.20, -0.18}, {0.36, -0.18}, {0.55, 0}, {1.0, 0}}}};
     clip.waves = {{beak, 5.0, 8, 0.0}};
@@ -153,11 +153,12 @@ ClipScript hit() {
 ClipScript die() {
     ClipScript clip{"Die", 36, Ending::once, {}, {}, {}, 0.0};
     clip.tracks = {{body_roll, {{0.0, 0}, {0.20, 14}, {0.55, 172}, {0.64, 164}, {0.72, 170}}},
-                   {body_y, {{0.0, 0}, {0.25, 0.35}, {0.55, -0.34}, {0.60, -0.30}, {0.66, -0.34}}},
+                   {body_y, {{0.0, 0}, {0.28, 0.70}, {0.55, -0.34}, {0.60, -0.30}, {0.66, -0.34}}},
                    {follow, {{0.0, 0}, {0.15, 0}, {0.40, 1}}},
-                   {wing_open, {{0.0, 0}, {0.20, 0.9}, {0.62, 0.35}}},
+                   {wing_open, {{0.0, 0}, {0.18, 0.9}, {0.36, 0.1}, {0.70, 0.3}}},
                    {flap, {{0.0, 0}, {0.12, 45}, {0.24, -30}, {0.36, 40}, {0.60, 0}}},
-                   {neck_pitch, {{0.0, 0}, {0.20, -20}, {0.70, -8}}},
+                   {body_pitch, {{0.0, 0}, {0.25, 0}, {0.60, 28}}},
+                   {neck_pitch, {{0.0, 0}, {0.20, -20}, {0.55, 34}}},
                    {head_yaw, {{0.0, 0}, {0.25, 30}, {0.75, 24}}},
                    {beak, {{0.0, 0}, {0.20, 26}, {0.80, 10}}}};
     for (const int side : {0, 1}) {

@@ -4,22 +4,12 @@
 #include <glm/geometric.hpp>
 
 #include "menagerie/bird.hpp"
+#include "menagerie/skin_builder.hpp"
 
 namespace posepack::menagerie {
 namespace {
 
-struct Builder {
-    const Bird& animal;
-    Mesh mesh;
-
-    const BirdShape& shape() const { return animal.shape; }
-    const BirdJoints& joints() const { return animal.joints; }
-    const Vec3& head_of(int joint) const { return animal.rig.joints[static_cast<std::size_t>(joint)].head; }
-};
-
-Vec3 between(const Vec3& a, const Vec3& b, double share) {
-    return a + (b - a) * share;
-}
+using Builder = SkinBuilder<Bird>;
 
 void add_trunk(Builder& out) {
     const BirdShape& s = out.shape();
@@ -38,15 +28,15 @@ void add_trunk(Builder& out) {
     loft.start_cap = 0.001;
     loft.end_cap = 0.0;
     loft.sections = {
-        {between(hip, tail, 1.35), w * 0.26, d * 0.16, d * 0.18, j.tail[0], coat, 2},
-        {between(hip, tail, 0.80), w * 0.55, d * 0.42, d * 0.48, j.tail[0], coat, 2},
+        {mixed(hip, tail, 1.35), w * 0.26, d * 0.16, d * 0.18, j.tail[0], coat, 2},
+        {mixed(hip, tail, 0.80), w * 0.55, d * 0.42, d * 0.48, j.tail[0], coat, 2},
         {hip, w * 0.90, d * 0.78, d * 0.88, j.body, coat, 2},
-        {between(hip, chest, 0.35), w, d * 0.92, d * 1.0, j.spine, coat, 2},
-        {between(hip, chest, 0.75), w * 0.95, d * 0.88, d * 0.98, j.chest, coat, 2},
-        {between(chest, head, 0.10), w * 0.72, d * 0.70, d * 0.74, j.neck[0], {s.back, s.side, s.bib}, 2},
-        {between(chest, head, 0.50), n * 1.02, n, n, j.neck[1], neck, 2},
-        {between(chest, head, 0.80), n * 0.92, n * 0.90, n * 0.90, j.neck[2], neck, 2},
-        {between(chest, head, 1.05), n * 0.75, n * 0.75, n * 0.75, j.head, neck, 0}};
+        {mixed(hip, chest, 0.35), w, d * 0.92, d * 1.0, j.spine, coat, 2},
+        {mixed(hip, chest, 0.75), w * 0.95, d * 0.88, d * 0.98, j.chest, coat, 2},
+        {mixed(chest, head, 0.10), w * 0.72, d * 0.70, d * 0.74, j.neck[0], {s.back, s.side, s.bib}, 2},
+        {mixed(chest, head, 0.50), n * 1.02, n, n, j.neck[1], neck, 2},
+        {mixed(chest, head, 0.80), n * 0.92, n * 0.90, n * 0.90, j.neck[2], neck, 2},
+        {mixed(chest, head, 1.05), n * 0.75, n * 0.75, n * 0.75, j.head, neck, 0}};
     const Mark from = mark(out.mesh);
     add_loft(out.mesh, loft);
     attract(out.mesh, from, j.breast, out.head_of(j.breast) + Vec3(0.0, -d * 0.45, d * 0.2), d * 1.25, 0.8);
@@ -144,10 +134,10 @@ void add_wing(Builder& out) {
     arm.start_cap = 0.0;
     arm.end_cap = t * 0.5;
     arm.sections = {{shoulder - kAxisX * (l * 0.05), c * 0.22, t * 1.7, t * 1.7, j.upper_arm, cover, 2},
-                    {between(shoulder, elbow, 0.55), c * 0.20, t * 1.5, t * 1.4, j.upper_arm, cover, 2},
-                    {between(elbow, wrist, 0.25), c * 0.19, t * 1.3, t * 1.2, j.forearm, cover, 2},
-                    {between(elbow, wrist, 0.80), c * 0.15, t * 1.1, t, j.forearm, cover, 2},
-                    {between(wrist, hand, 0.40), c * 0.10, t * 0.9, t * 0.8, j.hand, cover, 1},
+                    {mixed(shoulder, elbow, 0.55), c * 0.20, t * 1.5, t * 1.4, j.upper_arm, cover, 2},
+                    {mixed(elbow, wrist, 0.25), c * 0.19, t * 1.3, t * 1.2, j.forearm, cover, 2},
+                    {mixed(elbow, wrist, 0.80), c * 0.15, t * 1.1, t, j.forearm, cover, 2},
+                    {mixed(wrist, hand, 0.40), c * 0.10, t * 0.9, t * 0.8, j.hand, cover, 1},
                     {hand, c * 0.04, t * 0.4, t * 0.4, j.hand, cover, 0}};
     add_loft(out.mesh, arm);
     const Paint bar{s.wing_bar, s.wing_bar, s.belly};
@@ -223,10 +213,10 @@ void add_leg(Builder& out) {
     loft.start_cap = d * 0.06;
     loft.end_cap = 0.0;
     loft.sections = {{hip, d * 0.24, d * 0.34, d * 0.34, j.leg.upper, {s.side, s.side, s.side}, 2},
-                     {between(hip, knee, 0.75), d * 0.20, d * 0.26, d * 0.28, j.leg.upper, plume, 2},
-                     {between(knee, hock, 0.45), r * 2.0, r * 2.2, r * 2.4, j.leg.lower, plume, 2},
-                     {between(knee, hock, 0.88), r * 1.15, r * 1.2, r * 1.2, j.leg.lower, plain(s.leg), 1},
-                     {between(hock, foot, 0.20), r, r, r, j.leg.cannon, plain(s.leg), 2},
+                     {mixed(hip, knee, 0.75), d * 0.20, d * 0.26, d * 0.28, j.leg.upper, plume, 2},
+                     {mixed(knee, hock, 0.45), r * 2.0, r * 2.2, r * 2.4, j.leg.lower, plume, 2},
+                     {mixed(knee, hock, 0.88), r * 1.15, r * 1.2, r * 1.2, j.leg.lower, plain(s.leg), 1},
+                     {mixed(hock, foot, 0.20), r, r, r, j.leg.cannon, plain(s.leg), 2},
                      {foot, r * 0.95, r * 0.95, r * 0.95, j.leg.cannon, plain(s.leg), 0}};
     add_loft(out.mesh, loft);
     const double l = s.toe_length;

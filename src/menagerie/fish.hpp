@@ -12,11 +12,11 @@ namespace posepack::menagerie {
 // Lengths in metres. The fish hangs in the water with its lowest fin at y = 0.
 struct FishShape {
     std::string name;
-    double length = 0.42;        // from the snout to the root of the tail fin
+    double length = 0.42;         // from the snout to the root of the tail fin
     double swim_height = 0.0774;  // of the middle line
-    double body_radius = 0.031;  // across
-    double body_depth = 0.056;   // above and below the middle line
-    double tail_depth = 0.017;   // of the peduncle
+    double body_radius = 0.031;   // across
+    double body_depth = 0.056;    // above and below the middle line
+    double tail_depth = 0.017;    // of the peduncle
     double tail_fin_length = 0.085;
     double tail_fin_spread = 0.062;  // up and down
     double dorsal_height = 0.048;

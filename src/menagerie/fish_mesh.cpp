@@ -2,22 +2,17 @@
 #include <glm/geometric.hpp>
 
 #include "menagerie/fish.hpp"
+#include "menagerie/skin_builder.hpp"
 
 namespace posepack::menagerie {
 namespace {
 
-struct Builder {
-    const Fish& animal;
-    Mesh mesh;
+using Builder = SkinBuilder<Fish>;
 
-    const FishShape& shape() const { return animal.shape; }
-    const FishJoints& joints() const { return animal.joints; }
-    const Vec3& head_of(int joint) const { return animal.rig.joints[static_cast<std::size_t>(joint)].head; }
-
-    Vec3 station(double along, double above = 0.0) const {
-        return {0.0, shape().swim_height + above, shape().length * (0.45 - along)};
-    }
-};
+// Places along the body: `along` 0 at the snout, 1 at the root of the tail fin.
+Vec3 station(const Builder& out, double along, double above = 0.0) {
+    return {0.0, out.shape().swim_height + above, out.shape().length * (0.45 - along)};
+}
 
 // Spots on the back and flanks: three rows, staggered.
 void add_spots(Builder& out, const Mark& from) {
@@ -29,7 +24,7 @@ void add_spots(Builder& out, const Mark& from) {
             const double above = s.body_depth * fade * (0.82 - 0.30 * row);
             for (const double side : {1.0, -1.0}) {
                 const Vec3 spot =
-                    out.station(along, above) + kAxisX * (side * s.body_radius * fade * (0.42 + 0.26 * row));
+                    station(out, along, above) + kAxisX * (side * s.body_radius * fade * (0.42 + 0.26 * row));
                 tint(out.mesh, from, s.spot, spot, s.body_depth * 0.20, 0.95);
             }
         }
@@ -51,18 +46,18 @@ void add_body(Builder& out) {
     loft.start_cap = 0.002;
     loft.end_cap = w * 0.10;
     loft.sections = {
-        {out.station(1.02), w * 0.10, s.tail_depth * 1.05, s.tail_depth * 1.05, j.tail_fin, coat, 2},
-        {out.station(0.95), w * 0.22, s.tail_depth, s.tail_depth, spine(1.0), coat, 3},
-        {out.station(0.86), w * 0.40, d * 0.38, d * 0.38, spine(0.8), coat, 3},
-        {out.station(0.76), w * 0.62, d * 0.56, d * 0.60, spine(0.62), coat, 3},
-        {out.station(0.66), w * 0.80, d * 0.74, d * 0.80, spine(0.45), coat, 3},
-        {out.station(0.55), w * 0.94, d * 0.90, d * 0.95, spine(0.25), coat, 4},
-        {out.station(0.44), w, d * 0.97, d, spine(0.0), coat, 4},
-        {out.station(0.32), w * 0.98, d * 0.90, d * 0.94, j.body, coat, 4},
-        {out.station(0.22), w * 0.90, d * 0.76, d * 0.80, j.body, head, 3},
-        {out.station(0.14, d * 0.02), w * 0.78, d * 0.62, d * 0.62, j.head, head, 3},
-        {out.station(0.06, d * 0.04), w * 0.56, d * 0.42, d * 0.32, j.head, head, 3},
-        {out.station(0.01, d * 0.02), w * 0.30, d * 0.20, d * 0.14, j.head, head, 0}};
+        {station(out, 1.02), w * 0.10, s.tail_depth * 1.05, s.tail_depth * 1.05, j.tail_fin, coat, 2},
+        {station(out, 0.95), w * 0.22, s.tail_depth, s.tail_depth, spine(1.0), coat, 3},
+        {station(out, 0.86), w * 0.40, d * 0.38, d * 0.38, spine(0.8), coat, 3},
+        {station(out, 0.76), w * 0.62, d * 0.56, d * 0.60, spine(0.62), coat, 3},
+        {station(out, 0.66), w * 0.80, d * 0.74, d * 0.80, spine(0.45), coat, 3},
+        {station(out, 0.55), w * 0.94, d * 0.90, d * 0.95, spine(0.25), coat, 4},
+        {station(out, 0.44), w, d * 0.97, d, spine(0.0), coat, 4},
+        {station(out, 0.32), w * 0.98, d * 0.90, d * 0.94, j.body, coat, 4},
+        {station(out, 0.22), w * 0.90, d * 0.76, d * 0.80, j.body, head, 3},
+        {station(out, 0.14, d * 0.02), w * 0.78, d * 0.62, d * 0.62, j.head, head, 3},
+        {station(out, 0.06, d * 0.04), w * 0.56, d * 0.42, d * 0.32, j.head, head, 3},
+        {station(out, 0.01, d * 0.02), w * 0.30, d * 0.20, d * 0.14, j.head, head, 0}};
     const Mark from = mark(out.mesh);
     add_loft(out.mesh, loft);
     for (int side = 0; side < 2; ++side) {
@@ -81,9 +76,9 @@ void add_jaw(Builder& out) {
     loft.segments = 10;
     loft.start_cap = 0.0;
     loft.end_cap = w * 0.06;
-    loft.sections = {{out.station(0.14, -d * 0.26), w * 0.58, d * 0.22, d * 0.26, j.head, plain(s.belly), 2},
-                     {out.station(0.075, -d * 0.20), w * 0.46, d * 0.12, d * 0.17, j.jaw, plain(s.belly), 2},
-                     {out.station(0.005, -d * 0.13), w * 0.22, d * 0.06, d * 0.08, j.jaw, plain(s.side), 0}};
+    loft.sections = {{station(out, 0.14, -d * 0.26), w * 0.58, d * 0.22, d * 0.26, j.head, plain(s.belly), 2},
+                     {station(out, 0.075, -d * 0.20), w * 0.46, d * 0.12, d * 0.17, j.jaw, plain(s.belly), 2},
+                     {station(out, 0.005, -d * 0.13), w * 0.22, d * 0.06, d * 0.08, j.jaw, plain(s.side), 0}};
     add_loft(out.mesh, loft);
 }
 
@@ -146,7 +141,7 @@ void add_middle_fins(Builder& out) {
                   j.anal,
                   j.anal});
     const double f = s.tail_fin_length;
-    add_fin(out, {out.station(0.99),
+    add_fin(out, {station(out, 0.99),
                   {0.0, 0.0, -f * 0.62},
                   kAxisY,
                   s.tail_depth * 0.9,
@@ -157,7 +152,7 @@ void add_middle_fins(Builder& out) {
                   j.tail_fin});
     for (const double side : {1.0, -1.0}) {
         const int lobe = side > 0.0 ? j.tail_upper : j.tail_lower;
-        add_fin(out, {out.station(0.99, side * s.tail_depth * 0.35),
+        add_fin(out, {station(out, 0.99, side * s.tail_depth * 0.35),
                       {0.0, side * s.tail_fin_spread * 0.92, -f},
                       {0.0, 1.0, 0.35 * side},
                       s.tail_depth * 0.75,

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Skinned meshes from lofts (rings along a path) and ellipsoids. A body is authored as a few sections, each
-// with a joint that owns it; the rings between two sections share their joints' weights smoothly.
+// Skinned meshes under construction: vertices with shares of joints, and what is done to whole parts of them.
 #pragma once
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "menagerie/rig.hpp"
@@ -13,16 +11,6 @@
 namespace posepack::menagerie {
 
 using Colour = std::uint32_t;  // 0xRRGGBB, sRGB
-
-// The colours of a ring: along its upper, middle and lower line.
-struct Paint {
-    Colour back = 0x808080;
-    Colour side = 0x808080;
-    Colour belly = 0x808080;
-};
-
-// One hue all round.
-Paint plain(Colour colour);
 
 // Up to four joints and their shares, which sum to one.
 struct Influences {
@@ -42,36 +30,6 @@ struct Mesh {
     std::vector<std::uint16_t> indices;  // triangles, counter-clockwise seen from outside
 };
 
-// A cross-section of a loft. With the path along t and the loft's side vector s, "up" is t x s.
-struct Section {
-    Vec3 centre{};
-    double half_width = 0.0;  // along the side vector, metres
-    double up = 0.0;          // from the centre upwards and downwards
-    double down = 0.0;
-    int joint = 0;
-    Paint paint;
-    int rings = 2;  // rings from here up to, not including, the next section
-};
-
-struct Loft {
-    std::vector<Section> sections;  // at least two
-    Vec3 side = kAxisX;
-    int segments = 12;                // vertices of a ring
-    std::optional<double> start_cap;  // how far the closing point stands out, metres; nothing: left open
-    std::optional<double> end_cap;
-};
-
-struct Ellipsoid {
-    Vec3 centre{};
-    Vec3 radii{};  // along X, Y, Z before the turn
-    Quat turn = kNoTurn;
-    int segments = 8;
-    int rings = 3;          // between the two poles, which lie on the ellipsoid's Z axis
-    Colour colour = 0;      // from the equator on
-    Colour tip_colour = 0;  // towards +Z (an iris)
-    int joint = 0;
-};
-
 // What a part cost, to mirror or blend it afterwards: everything from these counts on.
 struct Mark {
     std::size_t vertex_count = 0;
@@ -80,11 +38,19 @@ struct Mark {
 
 Mark mark(const Mesh& mesh);
 
-// Appends segments x rings vertices, and one for each closed end.
-void add_loft(Mesh& mesh, const Loft& loft);
+// Linear light, 0..1.
+Vec3 linear_colour(Colour colour);
 
-// Appends segments x rings + 2 vertices.
-void add_ellipsoid(Mesh& mesh, const Ellipsoid& ellipsoid);
+// Between two colours or places.
+Vec3 mixed(const Vec3& a, const Vec3& b, double share);
+
+Influences one_influence(int joint);
+
+// Raises a joint's weight; the sum is the caller's concern. At most four joints take part.
+void add_share(Influences& influences, int joint, double share);
+
+// Counter-clockwise seen from outside.
+void add_triangle(Mesh& mesh, std::size_t a, std::size_t b, std::size_t c);
 
 // Appends the mirror image of everything since `from`, on the mirrored joints.
 void add_mirror_image(Mesh& mesh, const Rig& rig, const Mark& from);

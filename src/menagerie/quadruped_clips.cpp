@@ -87,10 +87,17 @@ double lying_drop(const QuadrupedShape& shape) {
 
 ClipScript sleep(const QuadrupedShape& shape) {
     ClipScript clip{"Sleep", 96, Ending::closed, {}, {}, {}};
-    clip.tracks = {{body_y, {{0.0, -lying_drop(shape)}}},  {body_roll, {{0.0, -7}}},      {neck_yaw, {{0.0, 62}}},
-                   {neck_pitch, {{0.0, 50}}},  {head_yaw, {{0.0, 28}}},       {head_pitch, {{0.0, -6}}},
-                   {spine_yaw, {{0.0, 14}}},   {tail_yaw, {{0.0, 45}}},       {ear_pitch, {{0.0, -22}}},
-                   {tail_pitch, {{0.0, -45}}}, {shoulder_lift, {{0.0, 0.10}}}};
+    clip.tracks = {{body_y, {{0.0, -lying_drop(shape)}}},
+                   {body_roll, {{0.0, -7}}},
+                   {neck_yaw, {{0.0, 62}}},
+                   {neck_pitch, {{0.0, 50}}},
+                   {head_yaw, {{0.0, 28}}},
+                   {head_pitch, {{0.0, -6}}},
+                   {spine_yaw, {{0.0, 14}}},
+                   {tail_yaw, {{0.0, 45}}},
+                   {ear_pitch, {{0.0, -22}}},
+                   {tail_pitch, {{0.0, -1.5 * shape.tail_rise_degrees - 5.0}}},
+                   {shoulder_lift, {{0.0, 0.10}}}};
     for (const int foot : {0, 1}) {  // folded under the chest
         clip.tracks.push_back({of_foot(foot_y, foot), {{0.0, -0.045}}});
         clip.tracks.push_back({of_foot(foot_z, foot), {{0.0, -0.06}}});
@@ -103,7 +110,7 @@ ClipScript sleep(const QuadrupedShape& shape) {
         clip.tracks.push_back({of_foot(foot_z, foot), {{0.0, 0.27}}});
         clip.tracks.push_back({of_foot(foot_x, foot), {{0.0, foot == 2 ? 0.10 : -0.10}}});
         clip.tracks.push_back({of_foot(cannon_pitch, foot), {{0.0, -78}}});
-        clip.tracks.push_back({of_foot(foot_pitch, foot), {{0.0, 25}}});
+        clip.tracks.push_back({of_foot(foot_pitch, foot), {{0.0, -48}}});
     }
     clip.waves = {{spine_pitch, 2.0, 2, 0.0},
                   {neck_pitch, 2.5, 2, 0.15},
@@ -206,7 +213,8 @@ ClipScript die() {
                    {tail_pitch, {{0.0, 0}, {0.30, 30}, {0.70, -35}}}};
     for (const int foot : {0, 1, 2, 3}) {
         const double lag = 0.03 * (foot % 2);
-        clip.tracks.push_back({of_foot(foot_y, foot), {{0.0, 0}, {0.30 + lag, 0.10}, {0.66, 0.05}}});
+        clip.tracks.push_back(
+            {of_foot(foot_y, foot), {{0.0, 0}, {0.28 + lag, 0.20}, {0.42, 0.36}, {0.66, 0.05}}});
         clip.tracks.push_back({of_foot(foot_z, foot), {{0.0, 0}, {0.62, foot % 2 == 0 ? 0.10 : -0.06}}});
         clip.tracks.push_back({of_foot(cannon_pitch, foot), {{0.0, 0}, {0.34, 38}, {0.70, 14}}});
         clip.tracks.push_back({of_foot(foot_pitch, foot), {{0.0, 0}, {0.34, 45}, {0.75, 30}}});

@@ -57,11 +57,14 @@ void pose_head(const Quadruped& animal, const Values& v, Pose& pose) {
 }
 
 void pose_tail(const Quadruped& animal, const Values& v, Pose& pose) {
-    const double share = 1.0 / static_cast<double>(animal.joints.tail.size());
+    // The root turns most.
+    const double count = static_cast<double>(animal.joints.tail.size());
+    double share = 2.0 / (count + 1.0);
     for (const int joint : animal.joints.tail) {
         // The tail points backwards: lifting it is a turn the other way round than the neck's.
         pose.turns[static_cast<std::size_t>(joint)] =
             yaw(value(v, channel::tail_yaw) * share) * pitch(value(v, channel::tail_pitch) * share);
+        share -= 2.0 / (count * (count + 1.0));
     }
 }
 

@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <glm/geometric.hpp>
 
+#include "menagerie/skin_builder.hpp"
 #include "menagerie/snake.hpp"
 
 namespace posepack::menagerie {
 namespace {
 
-struct Builder {
-    const Snake& animal;
-    Mesh mesh;
-
-    const SnakeShape& shape() const { return animal.shape; }
-    const SnakeJoints& joints() const { return animal.joints; }
-    const Vec3& head_of(int joint) const { return animal.rig.joints[static_cast<std::size_t>(joint)].head; }
-};
+using Builder = SkinBuilder<Snake>;
 
 // Thickness along the body: 0 at the neck, 1 at the tip of the tail.
 double radius_at(const SnakeShape& s, double along) {
@@ -25,9 +19,9 @@ double radius_at(const SnakeShape& s, double along) {
 Section body_section(const SnakeShape& s, const Vec3& place, double along, int joint) {
     const double r = radius_at(s, along);
     const Paint paint{s.back, s.side, s.belly};
-    // The belly is flat and lies on the ground, however thin the body.
-    const Vec3 centre(place.x, r * 0.92, place.z);
-    return {centre, r, r, r * 0.92, joint, paint, 2};
+    // At rest the chain is level; the thin ends hang a little below its middle, towards the ground.
+    const Vec3 centre(place.x, s.body_radius - (s.body_radius - r) * 0.25, place.z);
+    return {centre, r, r, r, joint, paint, 2};
 }
 
 // The dark zigzag down the back: blotches to the left and right in turn.
@@ -72,9 +66,6 @@ void add_body(Builder& out) {
     Section neck = body_section(s, out.head_of(j.head) + kAxisZ * (s.head_length * 0.15), 0.0, j.head);
     neck.centre.y = out.head_of(j.head).y;
     loft.sections.push_back(neck);
-    // At rest the chain is level at the thickest radius: bring the thinner ends up to it.
-    for (Section& section : loft.sections)
-        section.centre.y = s.body_radius - (s.body_radius - section.up) * 0.25;
     const Mark from = mark(out.mesh);
     add_loft(out.mesh, loft);
     add_zigzag(out, from);

@@ -85,7 +85,7 @@ RowPlan plan_rows(const animal::Animal& animal, const animal::Clip& clip, ClipSa
     const double seam_step_s = step_s;
     if (wish.rate_hz)
         step_s = 1.0 / *wish.rate_hz;
-    else if (!key_step && key_times_s.size() > 2)
+    else if (!key_step && sampler.moves())
         plan.remarks.push_back({IssueCode::warn_rate, clip.name,
                                 fmt::format("{} key times lie on no uniform grid", key_times_s.size())});
     plan.step = sampler.all_steps();

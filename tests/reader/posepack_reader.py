@@ -10,6 +10,7 @@ floats as the eight hexadecimal digits of their bits, names in quotes, one bone-
 
 A file that breaks a rule prints one line, `refused RESULT`.
 """
+import functools
 import struct
 import sys
 
@@ -473,13 +474,17 @@ def dump_clip(number, clip):
     yield "  cuts" + "".join(f" {cut}" for cut in clip["cuts"])
 
 
+@functools.lru_cache(maxsize=None)
+def widened_halves():
+    """For every half the bits of the same number as an f32, by Python's own conversion; None for NaN and infinity."""
+    halves = (struct.unpack("<e", struct.pack("<H", bits))[0] if bits & 0x7C00 != 0x7C00 else None
+              for bits in range(65536))
+    return [None if number is None else struct.pack(">f", number).hex() for number in halves]
+
+
 def dump_rows(container):
-    """Every bone-row as twelve floats. Halves are widened once for all, by Python's own rule."""
-    if container.texel_bytes == 8:
-        widened = [struct.pack(">f", struct.unpack("<e", struct.pack("<H", half))[0]).hex() if half & 0x7C00 != 0x7C00
-                   else None for half in range(65536)].__getitem__
-    else:
-        widened = hex_bits
+    """Every bone-row as twelve floats."""
+    widened = widened_halves().__getitem__ if container.texel_bytes == 8 else hex_bits
     components = list(container.components())
     for row in range(container.header["row_count"]):
         texts = list(map(widened, container.row_bits(row)))

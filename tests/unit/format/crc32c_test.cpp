@@ -41,7 +41,7 @@ std::vector<std::uint8_t> noise(std::size_t size) {
     return bytes;
 }
 
-} // namespace
+}  // namespace
 
 TEST(Crc32c, KnownVectors) {
     for (const KnownVector& vector : kVectors) {

@@ -23,7 +23,7 @@ bool is_finite(std::uint32_t half) {
     return (half & 0x7C00u) != 0x7C00u;
 }
 
-} // namespace
+}  // namespace
 
 TEST(Half, AllValuesWidenExactlyAndComeBack) {
     int compared = 0;

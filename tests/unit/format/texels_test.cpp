@@ -20,7 +20,7 @@ posepack_texel_layout layout(std::uint32_t order, std::uint32_t rows_per_line, s
     return result;
 }
 
-} // namespace
+}  // namespace
 
 TEST(Texels, SizesOfFormatsAndEncodings) {
     EXPECT_EQ(posepack_texel_bytes(POSEPACK_TEXEL_RGBA16F), 8u);
@@ -33,7 +33,7 @@ TEST(Texels, SizesOfFormatsAndEncodings) {
     EXPECT_EQ(posepack_encoding_texels(POSEPACK_ENCODING_AFFINE), 3u);
     EXPECT_EQ(posepack_encoding_texels(POSEPACK_ENCODING_LOCAL), 2u);
     EXPECT_EQ(posepack_encoding_texels(POSEPACK_ENCODING_PACKED), 1u);
-    EXPECT_EQ(posepack_encoding_texels(POSEPACK_ENCODING_DUALQUAT), 0u); // two sizes
+    EXPECT_EQ(posepack_encoding_texels(POSEPACK_ENCODING_DUALQUAT), 0u);  // two sizes
     EXPECT_EQ(posepack_encoding_texels(POSEPACK_MIXED), 0u);
 }
 
@@ -55,8 +55,8 @@ TEST(Texels, WithATightPitchBothAddressesAreOnePlace) {
                 EXPECT_EQ(posepack_texel_offset(&tight, row, bone, k), 8 * index);
                 places.insert(index);
             }
-            EXPECT_EQ(places.size(), 21u * 15);        // every place once,
-            EXPECT_EQ(*places.rbegin(), 21u * 15 - 1); // and no place left out
+            EXPECT_EQ(places.size(), 21u * 15);         // every place once,
+            EXPECT_EQ(*places.rbegin(), 21u * 15 - 1);  // and no place left out
         }
     }
 }

@@ -220,6 +220,15 @@ Bytes& Parts::operator[](std::uint32_t type) {
     std::abort();  // a mistake in a test
 }
 
+void Parts::move_to_end(std::uint32_t type) {
+    std::stable_partition(sections.begin(), sections.end(),
+                          [type](const Section& section) { return section.type != type; });
+}
+
+const std::vector<std::string>& tiny_strings() {
+    return kStrings;
+}
+
 float tiny_element(std::uint32_t row, std::uint32_t bone, std::uint32_t element) {
     return static_cast<float>((row * kTinyBoneCount + bone) * 12 + element) / 64.f - 1.f;
 }

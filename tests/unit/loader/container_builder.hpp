@@ -23,8 +23,8 @@ struct TinyOptions {
     std::uint8_t texel_format = POSEPACK_TEXEL_RGBA16F;
     std::uint8_t texel_order = POSEPACK_ORDER_BONE_MAJOR;
     std::uint32_t rows_per_line = 1;
-    bool pad_pitch = false; // round the pitch up to 256 bytes
-    bool measured = true;   // clips carry measured errors
+    bool pad_pitch = false;  // round the pitch up to 256 bytes
+    bool measured = true;    // clips carry measured errors
 };
 
 /// One section before it has a place. `raw_bytes` 0 means: as many as are stored.
@@ -43,6 +43,9 @@ struct Parts {
 
     /// Bytes of the section of a type, which must be there.
     Bytes& operator[](std::uint32_t type);
+
+    /// Moves the section of a type behind all others, so that its last byte is the file's.
+    void move_to_end(std::uint32_t type);
 };
 
 inline constexpr std::uint32_t kTinyBoneCount = 3;
@@ -76,6 +79,9 @@ std::size_t entry_offset(const Bytes& bytes, std::uint32_t type);
 /// Offset in the file of the first byte of a section, which must be there.
 std::size_t section_offset(const Bytes& bytes, std::uint32_t type);
 
+/// The strings of the tiny container: sorted by bytes, the empty one first.
+const std::vector<std::string>& tiny_strings();
+
 /// An STRS section of these strings, in this order, right or wrong.
 Bytes string_section(const std::vector<std::string>& strings);
 
@@ -86,4 +92,4 @@ void put_f32(Bytes& bytes, std::size_t offset, float value);
 std::uint32_t get_u32(const Bytes& bytes, std::size_t offset);
 std::uint64_t get_u64(const Bytes& bytes, std::size_t offset);
 
-} // namespace posepack::test
+}  // namespace posepack::test

@@ -41,4 +41,4 @@ class GuardedBytes {
     std::uint8_t* memory_ = nullptr;
 };
 
-} // namespace posepack::test
+}  // namespace posepack::test

@@ -337,6 +337,24 @@ TEST(Open, SectionsBehindTheEndOfTheFileAreRefused) {
     EXPECT_EQ(open_name(bytes), "SECTION");  // T10
 }
 
+TEST(Open, ASizeThatWrapsBackToTheStartIsRefused) {
+    // The end of `wRAP` wraps to 512, where `over` lies on all other sections and ends with the file.
+    Parts pieces = make_parts();
+    pieces.sections.push_back({POSEPACK_FOURCC('w', 'R', 'A', 'P'), {1}});
+    pieces.sections.push_back({POSEPACK_FOURCC('o', 'v', 'e', 'r'), {1}});
+    Bytes bytes = assemble(pieces);
+    const std::size_t wrap = entry_offset(bytes, POSEPACK_FOURCC('w', 'R', 'A', 'P'));
+    const std::size_t over = entry_offset(bytes, POSEPACK_FOURCC('o', 'v', 'e', 'r'));
+    const std::uint64_t wrapped = 512 - get_u64(bytes, wrap + POSEPACK_ENT_OFFSET);
+    for (const std::size_t field : {POSEPACK_ENT_STORED_BYTES, POSEPACK_ENT_RAW_BYTES}) {
+        put_u64(bytes, wrap + field, wrapped);
+        put_u64(bytes, over + field, bytes.size() - 512);
+    }
+    put_u64(bytes, over + POSEPACK_ENT_OFFSET, 512);
+    seal(bytes);
+    EXPECT_EQ(open_name(bytes), "SECTION");  // T11
+}
+
 TEST(Open, UnknownOptionalSectionsAndFeaturesAreSkipped) {  // P20
     Parts pieces = make_parts();
     pieces.sections.push_back({POSEPACK_FOURCC('a', 'b', 'C', 'd'), {1, 2, 3}});

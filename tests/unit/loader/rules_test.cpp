@@ -84,7 +84,13 @@ TEST(Rules, HeaderValues) {
         {"H4", "row scheme 3", header_u8(POSEPACK_HDR_ROW_SCHEME, 3)},
         {"H4", "slots", header_u8(POSEPACK_HDR_ROW_SCHEME, 1), POSEPACK_ERROR_UNSUPPORTED},
         {"H4", "mixed", header_u8(POSEPACK_HDR_ROW_SCHEME, 255), POSEPACK_ERROR_UNSUPPORTED},
-        {"H5", "affine in 4 texels", header_u8(POSEPACK_HDR_TEXELS_PER_BONE, 4)},
+        {"H5", "affine in 4 texels",
+         [](Parts& p) {
+             p = make_parts({.encoding = POSEPACK_ENCODING_MAT4});
+             p.header[POSEPACK_HDR_ENCODING] = POSEPACK_ENCODING_AFFINE;
+             p[kClip][kIdle + POSEPACK_CLIP_ENCODING] = POSEPACK_ENCODING_AFFINE;
+             p[kClip][kWalk + POSEPACK_CLIP_ENCODING] = POSEPACK_ENCODING_AFFINE;
+         }},
         {"H6", "an unknown space flag", header_u8(POSEPACK_HDR_SPACE_FLAGS, 3)},
         {"H7", "reserved byte 58", header_u8(POSEPACK_HDR_RESERVED, 1)},
         {"H7", "reserved byte 59", header_u8(POSEPACK_HDR_RESERVED + 1, 1)},
@@ -97,43 +103,61 @@ TEST(Rules, HeaderValues) {
     });
 }
 
-std::function<void(Parts&)> text(const std::string& replacement) {
-    // "zz" sorts behind every other string, so only the text itself can be wrong
+// The strings of the tiny container, `extra` behind them: all references stay good.
+std::function<void(Parts&)> strings_and(const std::vector<std::string>& extra) {
     return [=](Parts& p) {
-        Bytes& strs = p[kStrs];
-        const std::uint32_t count = get_u32(strs, 0);
-        const std::uint32_t end =
-            get_u32(strs, 4 + 4 * count) + static_cast<std::uint32_t>(replacement.size());
-        Bytes grown(4);
-        put_u32(grown, 0, count + 1);
-        grown.insert(grown.end(), strs.begin() + 4, strs.begin() + 8 + 4 * count);
-        grown.resize(grown.size() + 4);
-        put_u32(grown, grown.size() - 4, end);
-        grown.insert(grown.end(), strs.begin() + 8 + 4 * count, strs.end());
-        grown.insert(grown.end(), replacement.begin(), replacement.end());
-        strs = grown;
+        std::vector<std::string> list = tiny_strings();
+        list.insert(list.end(), extra.begin(), extra.end());
+        p[kStrs] = string_section(list);
     };
 }
 
-std::function<void(Parts&)> strings(const std::vector<std::string>& list) {
-    return [=](Parts& p) { p[kStrs] = string_section(list); };
+// "zz" sorts behind every other string, so only the text itself can be wrong.
+std::function<void(Parts&)> text(const std::string& last) {
+    return strings_and({last});
+}
+
+// One empty string, which is every name; no state. The section states `count` strings.
+std::function<void(Parts&)> only_the_empty_string(std::uint32_t count) {
+    return [=](Parts& p) {
+        p[kStrs] = string_section({""});
+        put_u32(p[kStrs], 0, count);
+        p[kStat] = Bytes(8);
+        put_u32(p[kStat], 4, POSEPACK_NONE);
+        for (const std::size_t clip : {kIdle, kWalk}) {
+            put_u32(p[kClip], clip + POSEPACK_CLIP_NAME, 0);
+            put_u32(p[kClip], clip + POSEPACK_CLIP_SOURCE_NAME, 0);
+        }
+        for (std::size_t bone = 0; bone < kTinyBoneCount; ++bone) {
+            put_u32(p[kBone], POSEPACK_BONE_HEAD_BYTES + bone * POSEPACK_BONE_RECORD_BYTES, 0);
+        }
+        put_u32(p[kSpac], kMesh0 + POSEPACK_MESH_NAME, 0);
+        put_u32(p[kSpac], kMesh1 + POSEPACK_MESH_NAME, 0);
+    };
 }
 
 TEST(Rules, Strings) {
     run({
         {"S1", "four bytes", [](Parts& p) { p[kStrs].resize(4); }},
         {"S1", "a count past the section", u32(kStrs, 0, 0xFFFFFFFF)},
+        {"S1", "a count above the room there is", only_the_empty_string(2)},
         {"S2", "the first offset is 4", u32(kStrs, 4, 4)},
         {"S2", "an offset past the end", u32(kStrs, 16, 0x7FFFFFFF)},
         {"S2", "an offset that falls", u32(kStrs, 20, 1)},
         {"S2", "bytes behind the last string", resize(kStrs, 1)},
-        {"S3", "not sorted", strings({"b", "a"})},
-        {"S3", "twice the same", strings({"a", "a"})},
-        {"S3", "the empty string twice", strings({"", ""})},
-        {"S3", "a prefix behind the longer string", strings({"ab", "a"})},
-        {"S3", "sorted by signed bytes", strings({"\u00e9", "a"})},
+        {"S3", "not sorted", strings_and({"zz", "zy"})},
+        {"S3", "twice the same", strings_and({"walk"})},
+        {"S3", "the empty string twice",
+         [](Parts& p) {
+             std::vector<std::string> list = tiny_strings();
+             list.insert(list.begin(), "");
+             p[kStrs] = string_section(list);
+         }},
+        {"S3", "a prefix behind the longer string", strings_and({"zzz", "zz"})},
+        {"S3", "sorted by signed bytes", strings_and({"z\xC3\xA9", "zz"})},
         {"S4", "256 bytes", text(std::string(256, 'z'))},
         {"S5", "a lone continuation byte", text("zz\x80")},
+        {"S5", "a continuation byte as the first of two", text("zz\xBF\x80")},
         {"S5", "a lead byte at the end", text("zz\xC3")},
         {"S5", "a lead byte before a letter", text("zz\xC3z")},
         {"S5", "three bytes cut to two", text("zz\xE2\x82")},
@@ -143,6 +167,7 @@ TEST(Rules, Strings) {
         {"S5", "a surrogate", text("zz\xED\xA0\x80")},
         {"S5", "the last surrogate", text("zz\xED\xBF\xBF")},
         {"S5", "above U+10FFFF", text("zz\xF4\x90\x80\x80")},
+        {"S5", "a lead byte above F4", text("zz\xF8\x90\x80\x80")},
         {"S5", "a lead byte of five", text("zz\xF8\x88\x80\x80\x80")},
         {"S6", "a tab", text("zz\t")},
         {"S6", "a zero byte", text(std::string("zz\0", 3))},
@@ -153,6 +178,8 @@ TEST(Rules, Strings) {
 
 TEST(Rules, StringsThatAreGood) {
     run({
+        {"S1", "one string", only_the_empty_string(1), POSEPACK_OK},
+        {"S3", "by unsigned bytes", strings_and({"zz", "z\xC3\xA9"}), POSEPACK_OK},
         {"S4", "255 bytes", text(std::string(255, 'z')), POSEPACK_OK},
         {"S5", "the edges of two, three and four bytes",
          text("zz\xC2\xA0\xDF\xBF\xE0\xA0\x80\xED\x9F\xBF\xEE\x80\x80\xEF\xBF\xBF\xF0\x90\x80\x80\xF4\x8F\xBF"
@@ -233,6 +260,7 @@ TEST(Rules, ClipTableAndKinds) {
         {"C1", "reserved word", u32(kClip, POSEPACK_CLIP_HEAD_RESERVED, 1)},
         {"C1", "one cut fewer than stored", u32(kClip, POSEPACK_CLIP_HEAD_CUT_COUNT, 0)},
         {"C1", "cuts past the section", u32(kClip, POSEPACK_CLIP_HEAD_CUT_COUNT, 0x40000001)},
+        {"C1", "four bytes behind the cuts", resize(kClip, 4)},
         {"C2", "name", u32(kClip, kIdle + POSEPACK_CLIP_NAME, 11)},
         {"C2", "source name", u32(kClip, kIdle + POSEPACK_CLIP_SOURCE_NAME, POSEPACK_NONE)},
         {"C3", "encoding unlike the header's", u8(kClip, kWalk + POSEPACK_CLIP_ENCODING, 1)},
@@ -262,6 +290,24 @@ TEST(Rules, ClipRowsAndCuts) {
         {"C6", "no row", u32(kClip, kIdle + POSEPACK_CLIP_ROW_COUNT, 0)},
         {"C6", "a row too many", u32(kClip, kWalk + POSEPACK_CLIP_ROW_COUNT, 5)},
         {"C6", "a row of no clip", u32(kClip, kWalk + POSEPACK_CLIP_ROW_COUNT, 3)},
+        {"C6", "a clip without rows before one with all",
+         [](Parts& p) {
+             put_u32(p[kClip], kIdle + POSEPACK_CLIP_ROW_COUNT, 0);
+             put_f32(p[kClip], kIdle + POSEPACK_CLIP_RATE_HZ, 1.f);
+             put_f32(p[kClip], kIdle + POSEPACK_CLIP_PERIOD_S, 1.f);
+             put_u32(p[kClip], kWalk + POSEPACK_CLIP_FIRST_ROW, 0);
+             put_u32(p[kClip], kWalk + POSEPACK_CLIP_FIRST_TEXEL, 0);
+             put_u32(p[kClip], kWalk + POSEPACK_CLIP_ROW_COUNT, 5);
+         }},
+        {"C6", "the sum of all rows wraps to the right number",
+         [](Parts& p) {
+             put_u32(p[kClip], kIdle + POSEPACK_CLIP_ROW_COUNT, 0xFFFFFFFF);
+             put_f32(p[kClip], kIdle + POSEPACK_CLIP_RATE_HZ, 1.f);
+             put_f32(p[kClip], kIdle + POSEPACK_CLIP_PERIOD_S, 1.f);
+             put_u32(p[kClip], kWalk + POSEPACK_CLIP_FIRST_ROW, 0xFFFFFFFF);
+             put_u32(p[kClip], kWalk + POSEPACK_CLIP_FIRST_TEXEL, 0xFFFFFFFFu * 9);
+             put_u32(p[kClip], kWalk + POSEPACK_CLIP_ROW_COUNT, 6);
+         }},
         {"C6", "first texel", u32(kClip, kWalk + POSEPACK_CLIP_FIRST_TEXEL, 0)},
         {"C7", "first cut", u32(kClip, kWalk + POSEPACK_CLIP_FIRST_CUT, 1)},
         {"C7", "a cut too many", u32(kClip, kWalk + POSEPACK_CLIP_CUT_COUNT, 2)},
@@ -380,10 +426,26 @@ TEST(Rules, States) {
 
 TEST(Rules, TextureGeometry) {
     run({
-        {"G1", "no row a line", header_u32(POSEPACK_HDR_ROWS_PER_LINE, 0)},
-        {"G1", "more rows a line than rows", header_u32(POSEPACK_HDR_ROWS_PER_LINE, 6)},
+        {"G1", "no row a line, and no texel",
+         [](Parts& p) {
+             put_u32(p.header, POSEPACK_HDR_ROWS_PER_LINE, 0);
+             put_u32(p.header, POSEPACK_HDR_TEXTURE_WIDTH, 0);
+         }},
+        {"G1", "more rows a line than rows",
+         [](Parts& p) {
+             put_u32(p.header, POSEPACK_HDR_ROWS_PER_LINE, 6);
+             put_u32(p.header, POSEPACK_HDR_TEXTURE_WIDTH, 54);
+             put_u32(p.header, POSEPACK_HDR_TEXTURE_HEIGHT, 1);
+             put_u32(p.header, POSEPACK_HDR_ROW_PITCH, 432);
+             const Bytes last_row(p[kPixl].end() - 72, p[kPixl].end());
+             p[kPixl].insert(p[kPixl].end(), last_row.begin(), last_row.end());
+         }},
         {"G2", "width", header_u32(POSEPACK_HDR_TEXTURE_WIDTH, 10)},
-        {"G3", "height", header_u32(POSEPACK_HDR_TEXTURE_HEIGHT, 6)},
+        {"G3", "a line too many",
+         [](Parts& p) {
+             put_u32(p.header, POSEPACK_HDR_TEXTURE_HEIGHT, 6);
+             p[kPixl].resize(6 * 72);
+         }},
         {"G4", "a pitch of one texel more", header_u32(POSEPACK_HDR_ROW_PITCH, 80)},
         {"G4", "P25 rounded up to 512",
          [](Parts& p) {
@@ -416,6 +478,29 @@ TEST(Rules, Compression) {
          },
          POSEPACK_ERROR_NEEDS_DECODE},
     });
+}
+
+TEST(Rules, NumbersThatMakeTexelsOfNoBytes) {
+    // With nothing to store, only the rule about the number itself can refuse the file.
+    for (const std::size_t field : {POSEPACK_HDR_ENCODING, POSEPACK_HDR_TEXEL_FORMAT}) {
+        Parts parts = make_parts();
+        parts.header[field] = 0;
+        put_u32(parts.header, POSEPACK_HDR_ROW_PITCH, 0);
+        if (field == POSEPACK_HDR_ENCODING) {
+            parts.header[POSEPACK_HDR_TEXELS_PER_BONE] = 0;
+            put_u32(parts.header, POSEPACK_HDR_TEXTURE_WIDTH, 0);
+            for (const std::size_t clip : {kIdle, kWalk}) {
+                parts[kClip][clip + POSEPACK_CLIP_ENCODING] = 0;
+                parts[kClip][clip + POSEPACK_CLIP_TEXELS_PER_BONE] = 0;
+                put_u32(parts[kClip], clip + POSEPACK_CLIP_FIRST_TEXEL, 0);
+            }
+        }
+        parts.sections.back().flags = POSEPACK_CODEC_ZSTD;
+        Bytes bytes = assemble(parts);
+        put_u64(bytes, entry_offset(bytes, kPixl) + POSEPACK_ENT_RAW_BYTES, 0);
+        seal(bytes);
+        EXPECT_EQ(open_name(bytes), "SEMANTIC") << "H1, H2: " << field;
+    }
 }
 
 TEST(Rules, APaletteLargerThanAFileIsRefused) {

@@ -32,6 +32,7 @@ std::uint32_t read_everything(const posepack_view& view) {
     posepack_mesh mesh;
     posepack_space space;
     for (std::uint32_t i = 0; i <= view.header.clip_count; ++i) {
+        if (posepack_get_cut(&view, i, 0, &index) == POSEPACK_OK) sum += index;
         if (posepack_get_clip(&view, i, &clip) != POSEPACK_OK) continue;
         sum += touch(clip.name) + touch(clip.source_name);
         for (std::uint32_t cut = 0; cut < 4; ++cut) {
@@ -48,6 +49,7 @@ std::uint32_t read_everything(const posepack_view& view) {
     }
     posepack_get_space(&view, &space);
     for (std::uint32_t i = 0; i <= space.mesh_count; ++i) {
+        if (posepack_map_joint(&view, i, 0, &index) == POSEPACK_OK) sum += index;
         if (posepack_get_mesh(&view, i, &mesh) != POSEPACK_OK) continue;
         sum += touch(mesh.name);
         for (const std::uint32_t joint : {0u, 1u, 2u, 5u, mesh.joint_count - 1}) {
@@ -135,6 +137,75 @@ TEST(Safety, SealedBitFlipsNeverReadOutside) {
     EXPECT_GT(opened, 1000);  // recipe, node numbers, finite floats
 }
 
+constexpr std::uint32_t kTables[] = {POSEPACK_SECTION_CLIP, POSEPACK_SECTION_STAT, POSEPACK_SECTION_BONE,
+                                     POSEPACK_SECTION_SPAC, POSEPACK_SECTION_STRS};
+
+// Each table in turn lies at the end of the file, cut to every length.
+TEST(Safety, TablesThatAreTooShortAreNotReadPastTheirEnd) {
+    GuardedBytes memory(16384);
+    int refused = 0;
+    for (const std::uint32_t type : kTables) {
+        Parts parts = make_parts();
+        parts.move_to_end(type);
+        for (std::size_t size = parts[type].size() - 1; size > 0; --size) {
+            parts[type].resize(size);
+            const Bytes bytes = assemble(parts);
+            posepack_view view;
+            ASSERT_EQ(posepack_open(&view, memory.place(bytes.data(), bytes.size()), bytes.size()),
+                      POSEPACK_ERROR_SEMANTIC)
+                << size;
+            ++refused;
+        }
+    }
+    EXPECT_GT(refused, 900);
+}
+
+TEST(Safety, CountsAreNotFollowedPastTheEndOfATable) {
+    GuardedBytes memory(16384);
+    const std::size_t walk = POSEPACK_CLIP_HEAD_BYTES + POSEPACK_CLIP_RECORD_BYTES;
+    Parts cuts = make_parts();
+    cuts.move_to_end(POSEPACK_SECTION_CLIP);
+    put_u32(cuts[POSEPACK_SECTION_CLIP], walk + POSEPACK_CLIP_CUT_COUNT, 2000);
+    Parts text = make_parts();
+    text.move_to_end(POSEPACK_SECTION_STRS);
+    std::vector<std::string> strings = tiny_strings();
+    strings.push_back("zz\xF0");  // three bytes would have to follow
+    text[POSEPACK_SECTION_STRS] = string_section(strings);
+    for (const Parts& parts : {cuts, text}) {
+        const Bytes bytes = assemble(parts);
+        posepack_view view;
+        EXPECT_EQ(posepack_open(&view, memory.place(bytes.data(), bytes.size()), bytes.size()),
+                  POSEPACK_ERROR_SEMANTIC);
+    }
+}
+
+TEST(Safety, AccessorsDoNotReadPastTheEndOfATable) {
+    GuardedBytes memory(16384);
+    for (const std::uint32_t type : kTables) {
+        Parts parts = make_parts();
+        parts.move_to_end(type);
+        const Bytes bytes = assemble(parts);
+        posepack_view view;
+        ASSERT_EQ(posepack_open(&view, memory.place(bytes.data(), bytes.size()), bytes.size()), POSEPACK_OK);
+        read_everything(view);
+    }
+}
+
+TEST(Safety, AZeroByteThatAppearsInANameDoesNotLeadPastTheNameLookedFor) {
+    Bytes bytes = make_container();
+    posepack_view view;
+    ASSERT_EQ(posepack_open(&view, bytes.data(), bytes.size()), POSEPACK_OK);
+    posepack_clip clip;
+    ASSERT_EQ(posepack_get_clip(&view, 1, &clip), POSEPACK_OK);
+    const auto* start = reinterpret_cast<const std::uint8_t*>(clip.name.data);
+    std::fill_n(bytes.begin() + (start - bytes.data()) + 2, 2, 0);  // "wa", two zero bytes
+    GuardedBytes memory(16);
+    const auto* name =
+        reinterpret_cast<const char*>(memory.place(reinterpret_cast<const std::uint8_t*>("wa"), 3));
+    std::uint32_t index = 0;
+    EXPECT_EQ(posepack_find_clip(&view, name, &index), POSEPACK_ERROR_NOT_FOUND);
+}
+
 TEST(Safety, BytesThatChangeAfterOpenNeverReadOutside) {
     const Bytes good = make_container();
     constexpr unsigned kSeed = 20240229;
@@ -159,8 +230,7 @@ TEST(Safety, TablesFilledWithOnesOrZerosAfterOpen) {
     GuardedBytes memory(good.size());
     posepack_view view;
     for (const std::uint8_t fill : {0x00, 0xFF}) {
-        for (const std::uint32_t type : {POSEPACK_SECTION_CLIP, POSEPACK_SECTION_STAT, POSEPACK_SECTION_BONE,
-                                         POSEPACK_SECTION_SPAC, POSEPACK_SECTION_STRS}) {
+        for (const std::uint32_t type : kTables) {
             std::uint8_t* bytes = memory.place(good.data(), good.size());
             ASSERT_EQ(posepack_open(&view, bytes, good.size()), POSEPACK_OK);
             const std::size_t begin = section_offset(good, type);

@@ -64,7 +64,10 @@ GlbProbe::GlbProbe(const std::vector<std::uint8_t>& glb) {
     binary_.assign(glb.begin() + static_cast<std::ptrdiff_t>(binary) + 8, glb.end());
 }
 
-std::vector<std::vector<double>> GlbProbe::values(int accessor) const {
+const std::vector<std::vector<double>>& GlbProbe::values(int accessor) const {
+    const auto [known, is_new] = known_.try_emplace(accessor);
+    std::vector<std::vector<double>>& elements = known->second;
+    if (!is_new) return elements;
     static const std::map<std::string, std::size_t> kCounts = {
         {"SCALAR", 1}, {"VEC3", 3}, {"VEC4", 4}, {"MAT4", 16}};
     const json& described = document_.at("accessors").at(static_cast<std::size_t>(accessor));
@@ -73,7 +76,7 @@ std::vector<std::vector<double>> GlbProbe::values(int accessor) const {
     const std::size_t size = type == 5121 ? 1 : type == 5123 ? 2 : 4;
     std::size_t offset =
         view.at("byteOffset").get<std::size_t>() + described.value("byteOffset", std::size_t{0});
-    std::vector<std::vector<double>> elements(described.at("count").get<std::size_t>());
+    elements.resize(described.at("count").get<std::size_t>());
     for (std::vector<double>& element : elements) {
         for (std::size_t index = 0; index < kCounts.at(described.at("type")); ++index, offset += size) {
             element.push_back(component_at(binary_, offset, type));
@@ -112,7 +115,7 @@ std::vector<glm::dmat4> GlbProbe::globals(const json& animation, std::size_t key
     }
     for (const json& channel : animation.at("channels")) {
         const json& sampler = animation.at("samplers").at(channel.at("sampler").get<std::size_t>());
-        const auto output = values(sampler.at("output"));
+        const auto& output = values(sampler.at("output"));
         set(locals.at(channel.at("target").at("node").get<std::size_t>()), channel.at("target").at("path"),
             output.at(output.size() == 2 ? 0 : key));
     }

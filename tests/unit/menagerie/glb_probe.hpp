@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,7 +21,7 @@ class GlbProbe {
     std::size_t binary_size() const { return binary_.size(); }
 
     // Elements of an accessor, each as its components.
-    std::vector<std::vector<double>> values(int accessor) const;
+    const std::vector<std::vector<double>>& values(int accessor) const;
 
     // The animation whose name ends in `name` after the last bar.
     const nlohmann::json& animation(std::string_view name) const;
@@ -40,6 +41,7 @@ class GlbProbe {
  private:
     nlohmann::json document_;
     std::string binary_;
+    mutable std::map<int, std::vector<std::vector<double>>> known_;  // accessors already read
 };
 
 }  // namespace posepack::menagerie

@@ -49,8 +49,7 @@ TEST(MenagerieCatalog, SpeedsAreTheModels) {
     for (const MenagerieAnimal& animal : animals()) {
         const Model model = *build_model(animal.id);
         for (const Clip& clip : model.clips) {
-            const double stated =
-                wish(std::string(animal.id), clip.name).value("speed_mps", 0.0);
+            const double stated = wish(std::string(animal.id), clip.name).value("speed_mps", 0.0);
             EXPECT_NEAR(stated, clip.ground_speed_mps, 1e-4 * std::max(1.0, stated))
                 << animal.id << ' ' << clip.name;
             travelling += clip.ground_speed_mps > 0.0 ? 1 : 0;
@@ -196,7 +195,7 @@ TEST(MenagerieMotion, GoatsAttackIsFast) {
     double largest = 0.0;
     for (const json& channel : animation.at("channels")) {
         if (channel.at("target").at("path") != "rotation") continue;
-        const auto keys =
+        const auto& keys =
             probe.values(animation.at("samplers").at(channel.at("sampler").get<std::size_t>()).at("output"));
         for (std::size_t key = 0; key + 1 < keys.size(); ++key) {
             double dot = 0.0;

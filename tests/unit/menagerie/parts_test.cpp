@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "menagerie/leg.hpp"
-#include "menagerie/mesh.hpp"
+#include "menagerie/loft.hpp"
 #include "menagerie/script.hpp"
 
 namespace posepack::menagerie {

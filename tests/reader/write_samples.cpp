@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// Writes containers for the two readers to agree on: every variant of the tiny container into FOLDER/good,
+// and damaged ones with right checksums into FOLDER/damaged.
+//
+//     write_samples FOLDER
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "container_builder.hpp"
+
+namespace {
+
+using namespace posepack::test;
+namespace fs = std::filesystem;
+
+void write(const fs::path& path, const Bytes& bytes) {
+    std::ofstream file(path, std::ios::binary);
+    file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+}
+
+int write_good(const fs::path& folder) {
+    int written = 0;
+    for (std::uint32_t variant = 0; variant < 32 * kTinyRowCount; ++variant) {
+        TinyOptions options;
+        options.encoding = variant & 1 ? POSEPACK_ENCODING_MAT4 : POSEPACK_ENCODING_AFFINE;
+        options.texel_format = variant & 2 ? POSEPACK_TEXEL_RGBA32F : POSEPACK_TEXEL_RGBA16F;
+        options.texel_order = variant & 4 ? POSEPACK_ORDER_PLANAR : POSEPACK_ORDER_BONE_MAJOR;
+        options.pad_pitch = (variant & 8) != 0;
+        options.measured = (variant & 16) != 0;
+        options.rows_per_line = variant / 32 + 1;
+        write(folder / ("variant_" + std::to_string(variant) + ".posepack"), make_container(options));
+        ++written;
+    }
+    return written;
+}
+
+// Every 61st bit flipped, and every word of header and tables set to a hostile value, all sealed again.
+int write_damaged(const fs::path& folder) {
+    TinyOptions options;
+    options.encoding = POSEPACK_ENCODING_MAT4;
+    options.texel_order = POSEPACK_ORDER_PLANAR;
+    options.rows_per_line = 2;
+    options.pad_pitch = true;
+    const Bytes good = make_container(options);
+    const std::size_t tables_end = section_offset(good, POSEPACK_SECTION_STRS);
+    int written = 0;
+    for (std::size_t bit = 0; bit < 8 * good.size(); bit += bit < 8 * 1200 || bit >= 8 * 4096 ? 61 : 1009) {
+        Bytes bytes = good;
+        bytes[bit / 8] ^= static_cast<std::uint8_t>(1u << (bit % 8));
+        seal(bytes);
+        write(folder / ("bit_" + std::to_string(bit) + ".posepack"), bytes);
+        ++written;
+    }
+    for (std::size_t offset = 16; offset < tables_end; offset += 4) {
+        constexpr std::uint32_t kHostile[] = {0, 1, 0x7F800000, 0x7FC00000, 0x80000000, 0xFFFFFFFF};
+        Bytes bytes = good;
+        put_u32(bytes, offset, kHostile[offset / 4 % 6]);
+        seal(bytes);
+        write(folder / ("word_" + std::to_string(offset) + ".posepack"), bytes);
+        ++written;
+    }
+    return written;
+}
+
+}  // namespace
+
+int main(int argument_count, char** arguments) {
+    if (argument_count != 2) {
+        std::fprintf(stderr, "usage: write_samples FOLDER\n");
+        return 1;
+    }
+    const fs::path folder = arguments[1];
+    fs::create_directories(folder / "good");
+    fs::create_directories(folder / "damaged");
+    const int good = write_good(folder / "good");
+    const int damaged = write_damaged(folder / "damaged");
+    std::printf("wrote %d good and %d damaged containers\n", good, damaged);
+    return 0;
+}

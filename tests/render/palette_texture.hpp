@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// A container on the GPU: its texels and its clips, opened by the shipped loader.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "posepack/loader.h"
+#include "render/gl_objects.hpp"
+#include "render/glb_mesh.hpp"
+
+namespace posepack::render {
+
+class PaletteTexture {
+ public:
+    // Opens the container and uploads it. Throws RenderError for bytes that the loader refuses, for clips with cuts
+    // and for palettes that are not in model space: shaders/palette.glsl reads neither.
+    explicit PaletteTexture(std::vector<std::uint8_t> bytes);
+
+    const posepack_view& view() const { return view_; }
+    posepack_clip clip(std::uint32_t index) const;
+    std::uint32_t find_clip(const std::string& name) const;
+
+    // Sets the uniforms of shaders/palette.glsl in the program in use; takes texture units 0 and 1.
+    void bind(const Program& program) const;
+
+    // Turns the joints of the mesh into bones of this palette.
+    void map_joints(SkinnedMesh& mesh) const;
+
+ private:
+    void check_spaces() const;
+    void upload_texels();
+    void upload_clips();
+
+    std::vector<std::uint8_t> bytes_;
+    posepack_view view_{};
+    Texture texels_;
+    Texture clips_;
+};
+
+}  // namespace posepack::render

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// Checks every catalog of catalogs/ and tests/data, the cases of catalog_cases.json, and the manifest that the
+// program given as argument prints, against the schemas.
+// node check_schemas.mjs SAMPLE_MANIFEST_PROGRAM [MANIFEST...]
+import { execFileSync } from 'node:child_process';
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { dirname, join, relative } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+const here = dirname(fileURLToPath(import.meta.url));
+const root = join(here, '..', '..');
+const modules = join(root, 'tests', 'node');
+
+if (!existsSync(join(modules, 'node_modules', 'ajv'))) {
+    console.log('ajv is not installed: run npm ci in tests/node, or ./dev test');
+    process.exit(process.env.CI ? 1 : 77);
+}
+const { default: Ajv } = createRequire(join(modules, 'package.json'))('ajv');
+
+const readJson = (path) => JSON.parse(readFileSync(path, 'utf8'));
+const compile = (name) => new Ajv({ allErrors: true }).compile(readJson(join(root, 'schemas', name)));
+
+let failures = 0;
+let checks = 0;
+
+function expectValidity(validate, label, json, isValid) {
+    ++checks;
+    if (validate(json) === isValid) return;
+    ++failures;
+    console.log(`${label}: expected ${isValid ? 'no fault' : 'a fault'}, found`, validate.errors ?? 'none');
+}
+
+// A key that no schema knows must be refused at every level of a good file.
+function expectStrictObjects(validate, label, json) {
+    const visit = (value, place) => {
+        if (value === null || typeof value !== 'object') return;
+        for (const [key, member] of Object.entries(value)) visit(member, `${place}/${key}`);
+        const isFree = /\/(options|keywords|animals)$/.test(place);
+        if (Array.isArray(value) || isFree) return;
+        value.unknown_key = 1;
+        expectValidity(validate, `${label}: ${place}/unknown_key`, json, false);
+        delete value.unknown_key;
+    };
+    visit(json, '');
+}
+
+function jsonFilesIn(folder) {
+    if (!existsSync(folder)) return [];
+    return readdirSync(folder).filter((name) => name.endsWith('.json')).map((name) => join(folder, name));
+}
+
+const isCatalog = (json) => json !== null && typeof json === 'object' && 'animals' in json;
+const validateCatalog = compile('catalog-1.schema.json');
+const validateManifest = compile('manifest-1.schema.json');
+
+const catalogs = [...jsonFilesIn(join(root, 'catalogs')), ...jsonFilesIn(join(root, 'tests', 'data'))]
+    .map((path) => [relative(root, path), readJson(path)])
+    .filter(([, json]) => isCatalog(json));
+for (const [label, json] of catalogs) {
+    expectValidity(validateCatalog, label, json, true);
+    expectStrictObjects(validateCatalog, label, json);
+}
+
+const cases = readJson(join(here, 'catalog_cases.json'));
+for (const { name, valid, schema_cannot_say: beyond, catalog } of cases) {
+    expectValidity(validateCatalog, name, catalog, valid || beyond === true);
+}
+
+const [sampleProgram, ...manifestPaths] = process.argv.slice(2);
+const manifests = manifestPaths.map((path) => [path, readJson(path)]);
+if (sampleProgram) manifests.push(['sample manifest', JSON.parse(execFileSync(sampleProgram, { encoding: 'utf8' }))]);
+for (const [label, json] of manifests) {
+    expectValidity(validateManifest, label, json, true);
+    expectStrictObjects(validateManifest, label, json);
+}
+
+console.log(`${catalogs.length} catalogs, ${cases.length} cases, ${manifests.length} manifests: ` +
+    `${checks} checks, ${failures} failures`);
+const sawAll = catalogs.length > 0 && cases.length > 0 && manifests.length > 0;
+if (!sawAll) console.log('expected at least one of each');
+process.exit(failures === 0 && sawAll ? 0 : 1);
