@@ -2,6 +2,9 @@
 #include "animal/gltf_facts.hpp"
 
 #include <fmt/format.h>
+
+#include "animal/rapidjson_settings.hpp"
+
 #include <rapidjson/memorystream.h>
 #include <rapidjson/reader.h>
 

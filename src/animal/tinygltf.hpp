@@ -6,12 +6,8 @@
 #pragma once
 
 #include <fstream>
-#include <stdexcept>
 
-#define RAPIDJSON_ASSERT(condition)     \
-    ((condition) ? static_cast<void>(0) \
-                 : throw std::runtime_error("JSON value of another type than expected"))
-#define RAPIDJSON_NOEXCEPT_ASSERT(condition) static_cast<void>(condition)
+#include "animal/rapidjson_settings.hpp"
 
 #define TINYGLTF_USE_RAPIDJSON
 #define TINYGLTF_NO_INCLUDE_RAPIDJSON

@@ -18,8 +18,6 @@ namespace {
 using base::Issue;
 using base::IssueCode;
 
-constexpr std::uint64_t kMaxManifestBytes = 64u << 20;
-
 // The recipe text travels in the container; its digest stands in the header.
 base::Status check_provenance(const posepack_view& view, const std::string& where) {
     const void* data = nullptr;
@@ -102,7 +100,7 @@ void check_strays(const std::filesystem::path& folder, const recipe::Manifest& m
 }
 
 base::Result<VerifyOutcome> verify_folder(const std::filesystem::path& folder, bool strict) {
-    const auto bytes = base::read_file(folder / recipe::kManifestName, kMaxManifestBytes);
+    const auto bytes = base::read_file(folder / recipe::kManifestName, recipe::kMaxManifestBytes);
     if (!bytes) return bytes.issue();
     const auto manifest =
         recipe::read_manifest({reinterpret_cast<const char*>(bytes.value().data()), bytes.value().size()});

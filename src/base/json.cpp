@@ -215,7 +215,7 @@ class Checker {
     }
 
     const TextStream& stream_;
-    bool has_escaped_units_;  // the text holds \\u somewhere; most do not, and skip a search per string
+    bool has_escaped_units_;  // the text holds "\u" somewhere; most do not, and skip a search per string
     KeyStack keys_;
     std::size_t depth_ = 0;
 };

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "format/half.h"
 
-#include "format/bytes.h"
-
 /* The magnitude `bits` (a float's bits without its sign) divided by 2^shift, nearest, ties to even. */
 static uint32_t shift_right_to_even(uint32_t bits, uint32_t shift) {
     const uint32_t kept = bits >> shift;
@@ -29,19 +27,4 @@ uint16_t posepack_half_from_float(float value) {
         half = 0;
     }
     return (uint16_t)(sign | half);
-}
-
-float posepack_float_from_half(uint16_t half) {
-    const uint32_t sign = ((uint32_t)half & 0x8000u) << 16;
-    const uint32_t exponent = ((uint32_t)half >> 10) & 31u;
-    uint32_t fraction = (uint32_t)half & 0x3FFu;
-    uint32_t shift = 0;
-    if (exponent == 31) return posepack_float_from_bits(sign | 0x7F800000u | (fraction << 13));
-    if (exponent != 0) return posepack_float_from_bits(sign | ((exponent + 112u) << 23) | (fraction << 13));
-    if (fraction == 0) return posepack_float_from_bits(sign);
-    while ((fraction & 0x400u) == 0) { /* a subnormal half is a normal float: find its leading one */
-        fraction <<= 1;
-        ++shift;
-    }
-    return posepack_float_from_bits(sign | ((113u - shift) << 23) | ((fraction & 0x3FFu) << 13));
 }

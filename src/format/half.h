@@ -8,6 +8,8 @@
 
 #include <stdint.h>
 
+#include "format/bytes.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -22,8 +24,21 @@ extern "C" {
  */
 uint16_t posepack_half_from_float(float value);
 
-/* The value of `half` as a float: exact for numbers; a NaN keeps sign and payload. */
-float posepack_float_from_half(uint16_t half);
+/*
+ * The value of `half` as a float: exact for numbers; a NaN keeps sign and payload. Inline, because
+ * every component of every decoded matrix passes here.
+ */
+static inline float posepack_float_from_half(uint16_t half) {
+    const uint32_t sign = ((uint32_t)half & 0x8000u) << 16;
+    const uint32_t magnitude = ((uint32_t)half & 0x7FFFu)
+                               << 13; /* exponent and fraction in their new places */
+    if (magnitude >= 0x0F800000u) return posepack_float_from_bits(sign | 0x70000000u | magnitude);
+    if (magnitude >= 0x00800000u) return posepack_float_from_bits(sign | (magnitude + 0x38000000u));
+    /* Subnormal: read as 2^-14 too much, then take that away, which is exact. */
+    return posepack_float_from_bits(
+        sign | posepack_bits_from_float(posepack_float_from_bits(magnitude + 0x38800000u) -
+                                        0.00006103515625f /* 2^-14 */));
+}
 
 #ifdef __cplusplus
 }

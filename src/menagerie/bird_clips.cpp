@@ -55,8 +55,8 @@ ClipScript fly() {
     clip.tracks = {{wing_open, {{0.0, 1}}},    {body_pitch, {{0.0, 26}}}, {neck_pitch, {{0.0, 8}}},
                    {head_pitch, {{0.0, -30}}}, {tail_pitch, {{0.0, -4}}}, {tail_fan, {{0.0, 10}}},
                    {body_y, {{0.0, 0.9}}},     {flap, {{0.0, 8}}},        {wing_sweep, {{0.0, 6}}}};
-    clip.waves = {{flap, 52.0, 5, 0.0},       {flap_bend, 34.0, 5, 0.72}, {wing_sweep, 14.0, 5, 0.25},
-                  {wing_tilt, 18.0, 5, 0.25}, {body_y, 0.14, 5, 0.55},    {tail_pitch, 6.0, 5, 0.4}};
+    clip.waves = {{flap, 46.0, 4, 0.0},       {flap_bend, 28.0, 4, 0.72}, {wing_sweep, 14.0, 4, 0.25},
+                  {wing_tilt, 18.0, 4, 0.25}, {body_y, 0.14, 4, 0.55},    {tail_pitch, 6.0, 4, 0.4}};
     tuck_feet(clip);
     return clip;
 }

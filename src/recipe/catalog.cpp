@@ -263,7 +263,7 @@ std::vector<AnimalEntry> read_animals(const Value& catalog, const CommandLine& c
         return animals;
     }
     const Defaults defaults = read_defaults(catalog);
-    std::map<std::string, std::string> ids; // lowered -> as written
+    std::map<std::string, std::string> ids;  // lowered -> as written
     for (const auto& [id, entry] : value.members()) {
         animals.push_back(read_animal(id, entry, defaults, command_line));
         const auto [earlier, is_new] = ids.emplace(base::lowered(id), id);
@@ -276,7 +276,7 @@ std::vector<AnimalEntry> read_animals(const Value& catalog, const CommandLine& c
     return animals;
 }
 
-} // namespace
+}  // namespace
 
 const KeywordMap& default_keywords() {
     static const KeywordMap keywords{{"attack", {"attack", "bite"}},
@@ -300,4 +300,4 @@ base::Result<Catalog> read_catalog(std::string_view text, const OutputOverrides&
     return catalog;
 }
 
-} // namespace posepack::recipe
+}  // namespace posepack::recipe

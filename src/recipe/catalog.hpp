@@ -23,7 +23,7 @@ enum class Encoding { mat4, affine };
 enum class TexelFormat { rgba16f, rgba32f };
 enum class TexelOrder { bone_major, planar };
 enum class RowPitch { tight, align256 };
-enum class Caps { webgl2, desktop };           // largest texture side: 4096, 16384 texels
+enum class Caps { webgl2, desktop };  // largest texture side: 4096, 16384 texels
 enum class Wrap { automatic, loop, once, ping_pong };
 enum class Seam { automatic, closed, open };
 enum class ForwardAxis { plus_z, minus_z, plus_x, minus_x };
@@ -49,33 +49,33 @@ struct OutputOverrides {
 
 // One wish for clips of an animal: a name, or a pattern with * and ?.
 struct ClipWish {
-    std::string name;                   // matched without case against the text after the last '|'
-    std::vector<std::string> states;    // states that play this clip
-    std::optional<double> rate_hz;      // settled; nothing: the clip's own key grid
+    std::string name;                 // matched without case against the text after the last '|'
+    std::vector<std::string> states;  // states that play this clip
+    std::optional<double> rate_hz;    // settled; nothing: the clip's own key grid
     Wrap wrap = Wrap::automatic;
     Seam seam = Seam::automatic;
-    double speed_mps = 0.0;             // ground speed at rate 1; 0: not stated
-    double stride_phase = 0.0;          // phase of the first foot contact, 0..1
+    double speed_mps = 0.0;     // ground speed at rate 1; 0: not stated
+    double stride_phase = 0.0;  // phase of the first foot contact, 0..1
 };
 
 // State name -> keywords, in order of preference: the first clip whose name holds the keyword plays it.
 using KeywordMap = std::map<std::string, std::vector<std::string>>;
 
 struct AnimalEntry {
-    std::string id;                     // a file name on every system
-    std::string model;                  // relative path with '/', inside the models folder
-    std::vector<ClipWish> clips;        // empty: every clip of the model
-    std::string default_state;          // empty: "idle" where there is one, else the first
-    KeywordMap keywords;                // the catalog's, overlaid with the animal's
-    std::optional<double> rate_hz;      // of every clip where `clips` is empty; nothing: the key grids
+    std::string id;                 // a file name on every system
+    std::string model;              // relative path with '/', inside the models folder
+    std::vector<ClipWish> clips;    // empty: every clip of the model
+    std::string default_state;      // empty: "idle" where there is one, else the first
+    KeywordMap keywords;            // the catalog's, overlaid with the animal's
+    std::optional<double> rate_hz;  // of every clip where `clips` is empty; nothing: the key grids
     double metres_per_unit = 1.0;
     ForwardAxis forward = ForwardAxis::plus_z;
     OutputOptions output;
-    std::string canonical_json;         // the entry with defaults applied, without paths: part of the recipe
+    std::string canonical_json;  // the entry with defaults applied, without paths: part of the recipe
 };
 
 struct Catalog {
-    std::vector<AnimalEntry> animals;   // sorted by id
+    std::vector<AnimalEntry> animals;  // sorted by id
 };
 
 // Reads a catalog from its JSON text. `overrides` (of the command line) beat everything in it; `rate_hz`

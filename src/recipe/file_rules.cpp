@@ -42,7 +42,7 @@ std::string part_fault(std::string_view part) {
     return {};
 }
 
-} // namespace
+}  // namespace
 
 std::string id_fault(std::string_view id) {
     constexpr std::string_view kExpected = "expected an id of letters, digits, '_' and '-'";
@@ -79,4 +79,4 @@ std::string path_fault(std::string_view path) {
     }
 }
 
-} // namespace posepack::recipe
+}  // namespace posepack::recipe

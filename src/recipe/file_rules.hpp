@@ -20,4 +20,4 @@ std::string id_fault(std::string_view id);
 // name, or ends in a dot or a space, which Windows would drop.
 std::string path_fault(std::string_view path);
 
-} // namespace posepack::recipe
+}  // namespace posepack::recipe

@@ -21,23 +21,23 @@ inline constexpr std::size_t kMaxManifestBytes = 64u << 20;
 struct ErrorRecord {
     bool measured = false;
     float max = 0, p999 = 0, rms = 0;
-    float max_m = 0;                       // the maximum in metres
+    float max_m = 0;  // the maximum in metres
     float normal_max_deg = 0, normal_p999_deg = 0, normal_rms_deg = 0;
-    std::string clip;                      // the worst place: clip (empty inside a clip's own record),
-    float time_s = 0;                      //   time within it,
-    std::string mesh;                      //   mesh,
-    std::uint32_t vertex = 0;              //   vertex within that mesh,
-    std::string bone;                      //   and the bone that contributes most
+    std::string clip;          // the worst place: clip (empty inside a clip's own record),
+    float time_s = 0;          //   time within it,
+    std::string mesh;          //   mesh,
+    std::uint32_t vertex = 0;  //   vertex within that mesh,
+    std::string bone;          //   and the bone that contributes most
 };
 
 struct ClipRecord {
     std::string name, source_name;
     std::uint32_t first_row = 0, row_count = 0;
     float rate_hz = 0, period_s = 0, start_s = 0;
-    std::string wrap;                      // "loop", "once", "ping-pong"
-    std::string seam;                      // "closed", "open"
-    std::string interpolation;             // "linear", "step"
-    float seam_gap = 0;                    // fraction of R
+    std::string wrap;           // "loop", "once", "ping-pong"
+    std::string seam;           // "closed", "open"
+    std::string interpolation;  // "linear", "step"
+    float seam_gap = 0;         // fraction of R
     float speed_mps = 0;
     ErrorRecord error;
 };
@@ -46,17 +46,17 @@ struct StateRecord {
     std::string name, clip;
 };
 
-struct VramRecord {                        // bytes of texels at the same rows, without padding
+struct VramRecord {  // bytes of texels at the same rows, without padding
     std::uint64_t mat4_rgba32f = 0, mat4_rgba16f = 0, affine_rgba32f = 0, affine_rgba16f = 0;
     std::uint64_t vat_position_rgb32f = 0, vat_rgba32f = 0, vat_rgba16f = 0;
 };
 
 struct BakeRecord {
     std::string id;
-    std::string container;                 // file name inside the output folder
+    std::string container;  // file name inside the output folder
     std::uint64_t container_bytes = 0;
-    std::string container_sha256;          // 64 lower-case hex digits
-    std::string model;                     // path as in the catalog
+    std::string container_sha256;  // 64 lower-case hex digits
+    std::string model;             // path as in the catalog
     std::uint64_t model_bytes = 0;
     std::string model_sha256;
     std::string recipe_sha256;
@@ -68,18 +68,18 @@ struct BakeRecord {
     std::vector<ClipRecord> clips;
     std::vector<StateRecord> states;
     std::string default_state;
-    ErrorRecord error;                     // the worst over all clips; rms and p999 pooled
-    bool has_vram = false;                 // bake --compare-vat
+    ErrorRecord error;      // the worst over all clips; rms and p999 pooled
+    bool has_vram = false;  // bake --compare-vat
     VramRecord vram;
-    std::vector<std::string> remarks;      // warnings, as printed
+    std::vector<std::string> remarks;  // warnings, as printed
 };
 
 struct Manifest {
     std::uint32_t bake_abi = 0;
     std::string tool_version;
     std::string catalog_sha256;
-    std::string options_json;              // canonical JSON object of the options given on the command line
-    std::vector<BakeRecord> records;       // sorted by id
+    std::string options_json;         // canonical JSON object of the options given on the command line
+    std::vector<BakeRecord> records;  // sorted by id
 };
 
 // Canonical JSON with a final newline. Numbers must be finite; `options_json` must be a JSON object or empty.

@@ -209,7 +209,7 @@ void read_records(const Value& list, std::vector<BakeRecord>* records) {
     }
 }
 
-} // namespace
+}  // namespace
 
 base::Result<Manifest> read_manifest(std::string_view text_bytes) {
     const base::Result<Json> parsed = parse_json(text_bytes, kMaxManifestBytes, kManifestJsonCodes);
@@ -230,4 +230,4 @@ base::Result<Manifest> read_manifest(std::string_view text_bytes) {
     return manifest;
 }
 
-} // namespace posepack::recipe
+}  // namespace posepack::recipe

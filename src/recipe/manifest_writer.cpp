@@ -101,7 +101,7 @@ Json options_json(const std::string& text) {
     return options;
 }
 
-} // namespace
+}  // namespace
 
 std::string write_manifest(const Manifest& manifest) {
     Json records = Json::array();
@@ -116,4 +116,4 @@ std::string write_manifest(const Manifest& manifest) {
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-} // namespace posepack::recipe
+}  // namespace posepack::recipe

@@ -20,7 +20,7 @@ std::string_view name_in_table(Choice choice) {
     return all_names<Choice>()[static_cast<std::size_t>(choice)];
 }
 
-} // namespace
+}  // namespace
 
 template <>
 std::span<const std::string_view> all_names<Encoding>() {
@@ -80,4 +80,4 @@ std::string_view name_of(ForwardAxis choice) {
     return name_in_table(choice);
 }
 
-} // namespace posepack::recipe
+}  // namespace posepack::recipe

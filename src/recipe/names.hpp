@@ -13,4 +13,4 @@ namespace posepack::recipe {
 template <class Choice>
 std::span<const std::string_view> all_names();
 
-} // namespace posepack::recipe
+}  // namespace posepack::recipe

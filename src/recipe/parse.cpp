@@ -16,7 +16,7 @@ namespace {
 std::string line_and_column(std::string_view text, std::size_t offset) {
     const std::string_view before = text.substr(0, offset);
     const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-    const std::size_t line_start = before.rfind('\n') + 1; // npos + 1 is 0
+    const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
     return fmt::format("line {}, column {}", line, offset - line_start + 1);
 }
 
@@ -33,7 +33,7 @@ base::IssueCode code_of(base::JsonFault fault, const JsonFaultCodes& codes) {
     }
 }
 
-} // namespace
+}  // namespace
 
 base::Result<nlohmann::json> parse_json(std::string_view text, std::size_t limit_bytes,
                                         const JsonFaultCodes& codes) {
@@ -51,4 +51,4 @@ base::Result<nlohmann::json> parse_json(std::string_view text, std::size_t limit
     return parsed;
 }
 
-} // namespace posepack::recipe
+}  // namespace posepack::recipe

@@ -12,9 +12,9 @@ namespace posepack::recipe {
 
 // The codes that faults of the text are reported by. Too deep nesting is E-LIM-JSON-DEPTH for every file.
 struct JsonFaultCodes {
-    base::IssueCode json;      // syntax and UTF-8
-    base::IssueCode duplicate; // a key twice in one object
-    base::IssueCode range;     // a number that no double holds
+    base::IssueCode json;       // syntax and UTF-8
+    base::IssueCode duplicate;  // a key twice in one object
+    base::IssueCode range;      // a number that no double holds
 };
 
 // Parses at most `limit_bytes` of JSON. `where` in an issue is "line 3, column 7", counted in bytes from 1.
@@ -22,4 +22,4 @@ struct JsonFaultCodes {
 base::Result<nlohmann::json> parse_json(std::string_view text, std::size_t limit_bytes,
                                         const JsonFaultCodes& codes);
 
-} // namespace posepack::recipe
+}  // namespace posepack::recipe

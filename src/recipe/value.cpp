@@ -51,7 +51,7 @@ std::string unknown_key_detail(std::string_view key, std::initializer_list<std::
     return fmt::format("expected one of {}, found '{}'", fmt::join(candidates, ", "), found);
 }
 
-} // namespace
+}  // namespace
 
 void Value::fail(base::IssueCode code, std::string detail) const {
     if (!faults_->first) faults_->first = base::Issue{code, place_, std::move(detail)};
@@ -177,4 +177,4 @@ std::size_t Value::choice_index(std::span<const std::string_view> names) const {
     return 0;
 }
 
-} // namespace posepack::recipe
+}  // namespace posepack::recipe

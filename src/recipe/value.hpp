@@ -21,10 +21,10 @@ namespace posepack::recipe {
 
 // The codes that faults of one kind of file are reported by.
 struct FaultCodes {
-    base::IssueCode type;  // another type than expected
-    base::IssueCode key;   // an unknown or missing key
-    base::IssueCode value; // none of the listed values
-    base::IssueCode range; // a number out of range
+    base::IssueCode type;   // another type than expected
+    base::IssueCode key;    // an unknown or missing key
+    base::IssueCode value;  // none of the listed values
+    base::IssueCode range;  // a number out of range
 };
 
 // Where the first fault goes. Must outlive every Value that uses it.
@@ -88,4 +88,4 @@ class Value {
     Faults* faults_;
 };
 
-} // namespace posepack::recipe
+}  // namespace posepack::recipe

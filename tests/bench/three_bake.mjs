@@ -29,7 +29,10 @@ function skeletonsOf(scene) {
 function clipRows(clip) {
     const first = Math.min(...clip.tracks.map((track) => track.times[0]));
     const rows = Math.round((clip.duration - first) * keyRateHz(clip)) + 1;
-    return Array.from({ length: rows }, (_, row) => first + (rows > 1 ? (row * (clip.duration - first)) / (rows - 1) : 0));
+    return Array.from(
+        { length: rows },
+        (_, row) => first + (rows > 1 ? (row * (clip.duration - first)) / (rows - 1) : 0),
+    );
 }
 
 // Half floats of every bone at every row of every clip.

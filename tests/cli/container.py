@@ -86,7 +86,8 @@ class Container:
             start = (end + align - 1) // align * align + section.gap_bytes
             crc = crc32c(section.data)
             raw_bytes = len(section.data) if section.raw_bytes is None else section.raw_bytes
-            table += struct.pack("<4sIQQQIIII", section.kind, section.flags, start, len(section.data), raw_bytes,
+            table += struct.pack("<4sIQQQIIII", section.kind, section.flags, start, len(section.data),
+                                 raw_bytes,
                                  section.align_log2, crc, crc, 0)
             body += bytes(start - end) + section.data
             end = start + len(section.data)

@@ -133,7 +133,8 @@ def _expect_result(case, data, result_name):
     result = case.run("verify", path)
     case.equal(result.exit_code, 7, f"exit code (stderr {result.stderr})")
     case.check(result.stderr.startswith("posepack: error[E-PACK-INVALID]: broken.posepack: ") and
-               result.stderr.count("\n") == 1, f"stderr: expected one E-PACK-INVALID line, found {result.stderr}")
+               result.stderr.count("\n") == 1,
+               f"stderr: expected one E-PACK-INVALID line, found {result.stderr}")
     case.check(f" {result_name};" in result.stderr, f"stderr: expected {result_name}, found {result.stderr}")
     case.check(result.stdout.startswith("FAILED"), f"stdout: expected FAILED, found {result.stdout}")
     case.expect_bounded(result, "verify")

@@ -43,7 +43,8 @@ class Document:
     """A glTF document in the making. `names` remembers accessors by what they hold."""
 
     def __init__(self):
-        self.json = {"asset": {"version": "2.0"}, "buffers": [{"byteLength": 0}], "bufferViews": [], "accessors": []}
+        self.json = {"asset": {"version": "2.0"}, "buffers": [{"byteLength": 0}], "bufferViews": [],
+                     "accessors": []}
         self.bin = bytearray()
         self.names = {}
 
@@ -57,7 +58,8 @@ class Document:
 
     def add(self, name, values, kind, component=FLOAT, **fields):
         """Appends an accessor of flat `values`; returns its index and remembers it as `name`."""
-        accessor = {"bufferView": self.add_view(struct.pack(f"<{len(values)}{COMPONENT[component]}", *values)),
+        accessor = {"bufferView": self.add_view(struct.pack(f"<{len(values)}{COMPONENT[component]}",
+                                                            *values)),
                     "componentType": component, "count": len(values) // WIDTH[kind], "type": kind, **fields}
         self.json["accessors"].append(accessor)
         self.names[name] = len(self.json["accessors"]) - 1
@@ -121,7 +123,8 @@ def _add_mesh(document):
         for side in range(4 if ring < 4 else 0):
             a, b = 4 * ring + side, 4 * ring + (side + 1) % 4
             triangles += [a, b, a + 4, b, b + 4, a + 4]
-    attributes = {"POSITION": document.add("positions", positions, "VEC3", min=[-0.2, 0.0, -0.2], max=[0.2, 1.2, 0.2]),
+    attributes = {"POSITION": document.add("positions", positions, "VEC3", min=[-0.2, 0.0, -0.2],
+                                           max=[0.2, 1.2, 0.2]),
                   "NORMAL": document.add("normals", normals, "VEC3"),
                   "JOINTS_0": document.add("joints", joints, "VEC4", UBYTE),
                   "WEIGHTS_0": document.add("weights", weights, "VEC4")}
@@ -142,7 +145,8 @@ def _add_skeleton(document):
         inverse_binds += [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -height, 0, 1]
     document.json["nodes"] = nodes
     joints = [FIRST_JOINT_NODE + number for number in range(len(JOINTS))]
-    document.json["skins"] = [{"joints": joints, "inverseBindMatrices": document.add("binds", inverse_binds, "MAT4")}]
+    document.json["skins"] = [{"joints": joints,
+                               "inverseBindMatrices": document.add("binds", inverse_binds, "MAT4")}]
 
 
 def channel(node, path, sampler):
@@ -161,7 +165,8 @@ def _add_clips(document, clip_names):
     head = document.add("head", head, "VEC4")
     root = document.add("root", root, "VEC3")
     document.json["animations"] = [{"name": clip_names[0],
-                                    "samplers": [{"input": times, "output": spine}, {"input": times, "output": head}],
+                                    "samplers": [{"input": times, "output": spine},
+                                                 {"input": times, "output": head}],
                                     "channels": [channel(2, "rotation", 0), channel(3, "rotation", 1)]}]
     for name in clip_names[1:]:
         document.json["animations"].append({"name": name, "samplers": [{"input": times, "output": root}],

@@ -57,7 +57,8 @@ def _no_view_millions(document):
 def _sparse(document, *indices):
     times = document.accessor("root")
     times["sparse"] = {"count": len(indices),
-                       "indices": {"bufferView": document.add_view(struct.pack(f"<{len(indices)}H", *indices)),
+                       "indices": {"bufferView": document.add_view(struct.pack(f"<{len(indices)}H",
+                                                                               *indices)),
                                    "componentType": glb.USHORT},
                        "values": {"bufferView": document.add_view(struct.pack(f"<{3 * len(indices)}f",
                                                                               *[0.25] * 3 * len(indices)))}}
@@ -104,36 +105,44 @@ REFUSED = [
     ("G10", "two BIN chunks", lambda: _chunks(glb.chunk(glb.BIN_CHUNK, b"more")), 3, "E-GLB-CHUNK", ()),
     ("G12", "invalid UTF-8 in a node name", lambda: glb.tiny_animal().glb_with_text(b'"head"', b'"he\xffd"'),
      3, "E-GLB-JSON", ()),
-    ("G14", "key accessors twice", lambda: glb.tiny_animal().glb_with_text(b'{"asset"', b'{"accessors": [], "asset"'),
+    ("G14", "key accessors twice",
+     lambda: glb.tiny_animal().glb_with_text(b'{"asset"', b'{"accessors": [], "asset"'),
      3, "E-GLB-JSON-DUP", ("accessors",)),
     ("G15", "node translation 1e999", _huge_number, 3, "E-GLB-NUMBER", ()),
     ("G17", "accessor count whose bytes wrap to 0",
-     lambda: _changed(lambda d: d.accessor("times").update(count=NEARLY_2_63)), 3, "E-GLB-ACCESSOR-RANGE", ()),
+     lambda: _changed(lambda d: d.accessor("times").update(count=NEARLY_2_63)), 3, "E-GLB-ACCESSOR-RANGE",
+     ()),
     ("G18", "animation input of no elements", lambda: _changed(lambda d: d.accessor("times").update(count=0)),
      3, "E-GLB-ACCESSOR-COUNT", ()),
-    ("G19", "buffer view one byte past BIN", lambda: _changed(_view_past_bin), 3, "E-GLB-VIEW-RANGE", ("bufferViews/",)),
+    ("G19", "buffer view one byte past BIN", lambda: _changed(_view_past_bin), 3, "E-GLB-VIEW-RANGE",
+     ("bufferViews/",)),
     ("G21", "accessor one byte past its view",
      lambda: _changed(lambda d: d.view("root").update(byteLength=d.view("root")["byteLength"] - 1)),
      3, "E-GLB-ACCESSOR-RANGE", ("accessors/",)),
-    ("G22", "16,000,000 matrices without a view", lambda: _changed(_no_view_millions), 6, "E-LIM-DECODED", ()),
+    ("G22", "16,000,000 matrices without a view", lambda: _changed(_no_view_millions), 6, "E-LIM-DECODED",
+     ()),
     ("G23", "sparse index equal to count", lambda: _changed(lambda d: _sparse(d, 3, glb.KEY_COUNT)),
      3, "E-GLB-SPARSE", ()),
     ("G26", "requires meshopt", lambda: _changed(_require("EXT_meshopt_compression")),
      5, "E-GLB-EXTENSION", ("EXT_meshopt_compression",)),
     ("G29", "requires Draco", lambda: _changed(_require("KHR_draco_mesh_compression")),
      5, "E-GLB-EXTENSION", ("KHR_draco_mesh_compression",)),
-    ("G30", "requires an extension that nobody knows", lambda: _changed(_require("KHR_lights_punctual", "ACME_x")),
+    ("G30", "requires an extension that nobody knows",
+     lambda: _changed(_require("KHR_lights_punctual", "ACME_x")),
      5, "E-GLB-EXTENSION", ("ACME_x",)),
     ("G33", "nodes 3 and 5 children of each other", lambda: _changed(_node_loop), 3, "E-GLB-NODE-LOOP", ()),
     ("G35", "chain of 60,000 nodes", lambda: _changed(_node_chain), 6, "E-LIM-NODE-DEPTH", ()),
-    ("G36", "joint equal to the node count", lambda: _changed(lambda d: d.json["skins"][0].update(joints=[1, 2, 4])),
+    ("G36", "joint equal to the node count",
+     lambda: _changed(lambda d: d.json["skins"][0].update(joints=[1, 2, 4])),
      3, "E-GLB-SKIN-JOINT", ()),
-    ("G37", "one inverse bind matrix too few", lambda: _changed(lambda d: d.accessor("binds").update(count=2)),
+    ("G37", "one inverse bind matrix too few",
+     lambda: _changed(lambda d: d.accessor("binds").update(count=2)),
      3, "E-GLB-IBM-COUNT", ()),
     ("G41b", "key times that fall", lambda: _changed(_keys([0, 0.5, 0.4, 1])), 3, "E-GLB-TIMES", ()),
     ("G43", "rotation key of zeros", lambda: _changed(lambda d: d.put("spine", 4 * 7, 0, 0, 0, 0)),
      3, "E-GLB-QUAT", ("7",)),
-    ("G45", "no clip at all", lambda: _changed(lambda d: d.json.pop("animations")), 5, "E-GLB-NO-ANIMATION", ()),
+    ("G45", "no clip at all", lambda: _changed(lambda d: d.json.pop("animations")), 5, "E-GLB-NO-ANIMATION",
+     ()),
 ]
 
 
@@ -187,7 +196,8 @@ def _image_uris(case):
         result = case.bake(catalog, watched=False)
         case.check(not watch.was_opened(), "an image's uri was opened")
     case.expect_ok(result)
-    made = [name for name in ("x", "y") for folder in (".", "models", "home") if os.path.exists(case.path(folder, name))]
+    made = [name for name in ("x", "y") for folder in (".", "models", "home")
+            if os.path.exists(case.path(folder, name))]
     case.equal(made, [], "files made by commands in a uri")
 
 

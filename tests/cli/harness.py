@@ -156,9 +156,11 @@ class Case:
         kept = {key: value for key, value in os.environ.items() if not key.startswith(("LC_", "LANG", "TZ"))}
         return {**kept, "HOME": self.path("home"), "TMPDIR": self.path("tmp"), **(extra or {})}
 
-    def start(self, *arguments, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, cwd=None, env=None, **options):
+    def start(self, *arguments, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, cwd=None, env=None,
+              **options):
         """Starts the program and does not wait for it."""
-        return subprocess.Popen(self.command(*arguments), stdin=subprocess.DEVNULL, stdout=stdout, stderr=stderr,
+        return subprocess.Popen(self.command(*arguments), stdin=subprocess.DEVNULL, stdout=stdout,
+                                stderr=stderr,
                                 cwd=cwd or self.folder, env=self.environment(env), **options)
 
     def run(self, *arguments, writes=("out",), watched=True, **options):
@@ -168,9 +170,11 @@ class Case:
         shown = "posepack " + " ".join(map(str, arguments))
         if watched:
             after = snapshot(self.folder, writes)
-            changed = sorted(path for path in before.keys() | after.keys() if before.get(path) != after.get(path))
+            changed = sorted(path for path in before.keys() | after.keys()
+                             if before.get(path) != after.get(path))
             self.check(not changed, f"{shown}: expected no change outside {list(writes)}, found {changed}")
-        self.check(result.exit_code >= 0, f"{shown}: ended by signal {-result.exit_code}: {result.stderr[-300:]}")
+        self.check(result.exit_code >= 0,
+                   f"{shown}: ended by signal {-result.exit_code}: {result.stderr[-300:]}")
         return result
 
     def _wait(self, *arguments, **options):
@@ -191,8 +195,11 @@ class Case:
     def bake(self, catalog, *options, output="out", fsync=False, measure=False, **keywords):
         """Bakes quickly: without fsync and measurement unless they are asked for."""
         quick = ([] if fsync else ["--no-fsync"]) + ([] if measure else ["--no-measure"])
-        keywords.setdefault("writes", (output,))
-        return self.run("bake", catalog, "-o", output, *quick, *options, **keywords)
+        keywords.setdefault("writes", (os.path.relpath(self.path(output), self.folder),))
+        result = self.run("bake", catalog, "-o", output, *quick, *options, **keywords)
+        if result.exit_code == 0:
+            self.check(MANIFEST_NAME in self.output(output), f"exit code 0, but {output} holds no manifest")
+        return result
 
     def inspect(self, container, *options):
         """What `inspect` says of a container, as JSON."""
@@ -221,7 +228,8 @@ class Case:
     def expect_bounded(self, result, what):
         if self.settings.sanitized:
             return
-        self.check(result.cpu_s < LIMIT_S, f"{what}: expected under {LIMIT_S} s of work, found {result.cpu_s:.2f} s")
+        self.check(result.cpu_s < LIMIT_S,
+                   f"{what}: expected under {LIMIT_S} s of work, found {result.cpu_s:.2f} s")
         self.check(result.peak_mib < LIMIT_MIB,
                    f"{what}: expected a peak under {LIMIT_MIB:.0f} MiB, found {result.peak_mib:.0f} MiB")
 
@@ -229,7 +237,8 @@ class Case:
         """Exit 0, no error on stderr, and exactly these warnings (ids, sorted)."""
         self.equal(result.exit_code, 0, f"exit code (stderr {_cut(result.stderr)})")
         self.equal(result.lines("error"), [], "errors of a good run")
-        ids = sorted(re.match(r"posepack: warning\[([^]]*)\]", line).group(1) for line in result.lines("warning"))
+        ids = sorted(re.match(r"posepack: warning\[([^]]*)\]", line).group(1)
+                     for line in result.lines("warning"))
         self.equal(ids, sorted(warnings), "warnings")
         self.equal(len(result.stderr.splitlines()), len(ids), "lines on stderr")
         self.expect_bounded(result, "run")
@@ -239,11 +248,13 @@ class Case:
         """The exit code, and one clean line on stderr with the id, what to try, and the `mentions`."""
         self.equal(result.exit_code, exit_code, f"exit code (stderr {_cut(result.stderr)})")
         lines = result.stderr.split("\n")
-        self.check(len(lines) == 2 and lines[1] == "", f"stderr: expected one line, found {_cut(result.stderr)}")
+        self.check(len(lines) == 2 and lines[1] == "",
+                   f"stderr: expected one line, found {_cut(result.stderr)}")
         self.check(lines[0].startswith(f"posepack: error[{issue}]: "),
                    f"stderr: expected error[{issue}], found {_cut(lines[0])}")
         self.contains(lines[0], "; try: ", "stderr")
-        self.check(not re.search(rb"[\x00-\x09\x0b-\x1f\x7f]", result.stderr_bytes), "stderr holds control characters")
+        self.check(not re.search(rb"[\x00-\x09\x0b-\x1f\x7f]", result.stderr_bytes),
+                   "stderr holds control characters")
         for mention in mentions:
             self.contains(lines[0], mention, "stderr")
         self.equal(result.stdout, "", "stdout of a refusal")

@@ -30,7 +30,8 @@ def _expect_repaired(case, catalog, *options):
     case.expect_ok(clean)
     case.expect_ok(case.bake(catalog, *options))
     case.expect_ok(case.run("verify", "--strict", "out"))
-    case.check(case.output_bytes() == case.output_bytes("clean"), "the repaired folder differs from a clean bake")
+    case.check(case.output_bytes() == case.output_bytes("clean"),
+               "the repaired folder differs from a clean bake")
 
 
 def _verify_refused(case, exit_code, issue, *mentions, options=()):

@@ -36,7 +36,8 @@ def _chain():
             1: (4, {"translation": [0.0, 0.25, 0.0]}),
             5: (1, {"rotation": [0.0, 0.6, 0.0, 0.8], "scale": [1.5, 0.75, 2.0]}),
             2: (5, {"translation": [0.0, 0.5, 0.0]}),
-            6: (2, {"translation": [0.1, 0.2, 0.3], "rotation": [0.28, 0.0, 0.0, 0.96], "scale": [0.5, 1.25, 0.8]}),
+            6: (2, {"translation": [0.1, 0.2, 0.3], "rotation": [0.28, 0.0, 0.0, 0.96],
+                    "scale": [0.5, 1.25, 0.8]}),
             7: (6, {"scale": [1.0, -1.0, 1.0]}),
             3: (7, {"translation": [0.0, 0.5, 0.0]})}
 
@@ -48,7 +49,8 @@ def _separated_document():
     for node in nodes:
         node.pop("children", None)
     for index, (parent, transform) in _chain().items():
-        nodes[index] = {"name": nodes[index]["name"], **transform, **{"children": nodes[index].get("children", [])}}
+        nodes[index] = {"name": nodes[index]["name"], **transform,
+                        **{"children": nodes[index].get("children", [])}}
         if parent is not None:
             nodes[parent].setdefault("children", []).append(index)
     for node in nodes:
@@ -84,11 +86,14 @@ def _joints_apart(case):
         for bone in range(3):
             found = case.matrix("out/deer.posepack", key, bone)
             expected = _expected(glb.FIRST_JOINT_NODE + bone, key)
-            worst = max(worst, max(abs(found[4 * r + c] - expected[r][c]) for r in range(3) for c in range(4)))
-    case.check(worst < TOLERANCE, f"18 matrices: expected to differ by less than {TOLERANCE}, found {worst:.3g}")
+            worst = max(worst,
+                        max(abs(found[4 * r + c] - expected[r][c]) for r in range(3) for c in range(4)))
+    case.check(worst < TOLERANCE,
+               f"18 matrices: expected to differ by less than {TOLERANCE}, found {worst:.3g}")
     error = shown["clips"][0]["error"]["max"]
     # The head turns by up to 0.29 rad from key to key: a chord lies 1 % of the arm inside its arc.
-    case.check(0.001 < error < 0.03, f"measured error at 30 Hz in RGBA32F: expected about 0.01 R, found {error}")
+    case.check(0.001 < error < 0.03,
+               f"measured error at 30 Hz in RGBA32F: expected about 0.01 R, found {error}")
 
 
 def _mesh_node_is_ignored(case):

@@ -20,13 +20,15 @@ import catalog_rows
 import container_rows
 import environment_rows
 import glb_rows
+import limit_rows
 import manifest_rows
 import matrix_rows
 import mutation_rows
 import repair_rows
 from harness import Case, Skip
 
-MODULES = [glb_rows, matrix_rows, repair_rows, catalog_rows, container_rows, manifest_rows, environment_rows,
+MODULES = [glb_rows, matrix_rows, repair_rows, limit_rows, catalog_rows, container_rows, manifest_rows,
+           environment_rows,
            behaviour_rows, mutation_rows]
 
 
@@ -43,7 +45,8 @@ class Settings:
 def parse():
     parser = argparse.ArgumentParser(description="Tests of the posepack command line.")
     parser.add_argument("--binary", required=True, help="the program to test")
-    parser.add_argument("--project", default=os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."),
+    parser.add_argument("--project",
+                        default=os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."),
                         help="root of the project, for its sample catalogs")
     parser.add_argument("--sanitized", action="store_true", help="no limits on time and memory")
     parser.add_argument("--keep", action="store_true", help="keep the scratch folder")

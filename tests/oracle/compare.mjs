@@ -2,9 +2,9 @@
 // The bone matrices of a container against those of three.js, at every row of every clip.
 //
 // The difference of two matrices is what it does to the body: the largest distance between M_three p and
-// M_pack p over the corners and the centre of the box of the vertices that the joint moves (in bind space, any
-// weight above zero), as a fraction of the radius R. A difference is affine in p, so no vertex inside the box
-// is further off than its corners. A joint that moves no vertex is compared at the box of all vertices
+// M_pack p over the corners and the centre of the box of the vertices that the joint moves (in bind space,
+// any weight above zero), as a fraction of the radius R. A difference is affine in p, so no vertex inside the
+// box is further off than its corners. A joint that moves no vertex is compared at the box of all vertices
 // of its skin, as if it moved them all.
 
 const CORNERS = 8;

@@ -10,16 +10,16 @@
 // - Several channels on one target are averaged. glTF forbids them; posepack takes the last, with a warning.
 // - A STEP key that rounding to single precision moved behind its row's time is missed: see STEP_LEAD_S.
 // - A clip begins at 0, not at its first key. Times here are those of the glTF, so nothing depends on it.
-// - Rotations of neighbouring keys less than 3.6 degrees apart are mixed linearly and normalised, not by slerp:
-//   below 1e-6 rad, and the reason why rows between keys differ more than rows on keys.
+// - Rotations of neighbouring keys less than 3.6 degrees apart are mixed linearly and normalised, not by
+//   slerp: below 1e-6 rad, and the reason why rows between keys differ more than rows on keys.
 import * as THREE from '../node/node_modules/three/build/three.module.js';
 import { GLTFLoader } from '../node/node_modules/three/examples/jsm/loaders/GLTFLoader.js';
 
 const GLB_MAGIC = 0x46546c67;
 const JSON_CHUNK = 0x4e4f534a;
 
-// A STEP key counts from this long before its time on: key times are single precision, and a row that was meant
-// for a key must not miss it because the key's time was rounded up.
+// A STEP key counts from this long before its time on: key times are single precision, and a row that was
+// meant for a key must not miss it because the key's time was rounded up.
 const STEP_LEAD_S = 1e-6;
 
 // The JSON of a GLB and whatever follows its chunk (glTF 2.0, section 4.4).

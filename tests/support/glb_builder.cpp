@@ -71,6 +71,12 @@ Json& GlbBuilder::attribute(std::size_t mesh, const std::string& name) {
     return document.at("accessors").at(attributes.at(name).get<std::size_t>());
 }
 
+Json& GlbBuilder::sampled(std::size_t animation, std::size_t channel, const char* end) {
+    Json& source = document.at("animations").at(animation);
+    const auto sampler = source.at("channels").at(channel).at("sampler").get<std::size_t>();
+    return document.at("accessors").at(source.at("samplers").at(sampler).at(end).get<std::size_t>());
+}
+
 Bytes GlbBuilder::build() const {
     Json filled = document;
     if (filled.contains("buffers"))

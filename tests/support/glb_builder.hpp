@@ -67,8 +67,22 @@ class GlbBuilder {
     // The accessor of an attribute of the first primitive of a mesh.
     Json& attribute(std::size_t mesh, const std::string& name);
 
+    // The accessors of a channel's key times and values.
+    Json& times(std::size_t animation, std::size_t channel) { return sampled(animation, channel, "input"); }
+    Json& values(std::size_t animation, std::size_t channel) { return sampled(animation, channel, "output"); }
+
+    // Overwrites number `index` of an accessor that has a tightly packed view of its own.
+    template <class T>
+    void set(const Json& accessor, std::size_t index, T value) {
+        const Json& view = document.at("bufferViews").at(accessor.at("bufferView").get<std::size_t>());
+        std::memcpy(&bin.at(view.at("byteOffset").get<std::size_t>() + index * sizeof(T)), &value, sizeof value);
+    }
+
     // The file; the length of the buffer is filled in where the document has a buffer without one.
     Bytes build() const;
+
+ private:
+    Json& sampled(std::size_t animation, std::size_t channel, const char* end);
 };
 
 }  // namespace posepack::support

@@ -52,4 +52,4 @@ inline std::set<std::string> names_in(const std::filesystem::path& folder) {
     return names;
 }
 
-} // namespace posepack::base
+}  // namespace posepack::base

@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: MIT
+"""Limits of the baker: what lies on one is baked, one more is refused before it costs anything."""
+
+import glb
+from harness import Row
+
+MAX_BONES, MAX_ROWS, MAX_NODE_DEPTH, MAX_NAME_BYTES = 1024, 65_536, 4096, 255
+MAX_DURATION_S = 600.0
+MAX_TEXTURE_TEXELS = 4096
+
+
+def _bones(count):
+    """The tiny animal with joints hung on its root until there are `count`."""
+    document = glb.tiny_animal()
+    joints = document.json["skins"][0]["joints"]
+    for number in range(len(joints), count):
+        document.json["nodes"].append({"name": f"extra_{number}"})
+        joints.append(len(document.json["nodes"]) - 1)
+    document.json["nodes"][1]["children"] += joints[3:]
+    document.json["skins"][0].pop("inverseBindMatrices")
+    return document
+
+
+def _depth(count):
+    """A chain under the head that makes the hierarchy `count` nodes deep, its root counted."""
+    document = glb.tiny_animal()
+    parent = 3  # third of its chain
+    for _ in range(count - 3):
+        document.json["nodes"].append({})
+        document.json["nodes"][parent]["children"] = [len(document.json["nodes"]) - 1]
+        parent = len(document.json["nodes"]) - 1
+    return document
+
+
+def _duration(last_s):
+    """The clip "Walk" as two keys, the last at that time."""
+    document = glb.tiny_animal(("Walk",))
+    document.add("two_times", [0.0, last_s], "SCALAR")
+    document.add("two_keys", [0, 0, 0, 1, 0, 0], "VEC3")
+    document.json["animations"] = [{"name": "Walk", "channels": [glb.channel(1, "translation", 0)],
+                                    "samplers": [{"input": document.names["two_times"],
+                                                  "output": document.names["two_keys"]}]}]
+    return document
+
+
+def _row(name, what, makes, options, issue):
+    """`makes` gives the document on the limit and the one beyond it; `options` go with each."""
+    def run(case):
+        on_limit, beyond = makes()
+        on_options, beyond_options = options
+        result = case.bake(case.write_animal(on_limit.glb(), clips=[{"name": "Walk", "wrap": "once"}]),
+                           *on_options)
+        case.equal(result.exit_code, 0, f"exit code on the limit (stderr {result.stderr})")
+        catalog = case.write_animal(beyond.glb(), clips=[{"name": "Walk", "wrap": "once"}])
+        case.expect_bake_refused(catalog, 6, issue, *beyond_options, output="beyond")
+    return Row(name, f"limit: {what}", run)
+
+
+def _names(case):
+    """Joint names over 255 bytes are refused, or shortened: never stored."""
+    for length in (MAX_NAME_BYTES, MAX_NAME_BYTES + 1):
+        document = glb.tiny_animal()
+        document.json["nodes"][2]["name"] = "s" * length
+        catalog = case.write_animal(document.glb())
+        if length > MAX_NAME_BYTES:
+            case.expect_bake_refused(catalog, 6, "E-LIM-STRING", output="beyond")
+        elif case.expect_ok(case.bake(catalog)):
+            case.equal(case.inspect("out/deer.posepack")["bones"][1]["name"], "s" * length,
+                       "name of the spine")
+
+
+def _texture(case):
+    """1,024 bones fill a line of 3,072 texels: 10,000 rows and more need as many lines."""
+    document = _bones(MAX_BONES)
+    document.put("times", glb.KEY_COUNT - 1, 10.0)
+    catalog = case.write_animal(document.glb(), clips=[{"name": "Walk", "wrap": "once"}])
+    case.expect_bake_refused(catalog, 6, "E-LIM-TEXTURE", "--rate", 1000, "--caps", "webgl2",
+                             mentions=(f"{MAX_TEXTURE_TEXELS}",))
+
+
+ROWS = [
+    _row("L01", f"{MAX_BONES:,} bones", lambda: (_bones(MAX_BONES), _bones(MAX_BONES + 1)), ((), ()),
+         "E-LIM-BONES"),
+    _row("L02", f"nodes {MAX_NODE_DEPTH:,} deep",
+         lambda: (_depth(MAX_NODE_DEPTH), _depth(MAX_NODE_DEPTH + 1)), ((), ()),
+         "E-LIM-NODE-DEPTH"),
+    _row("L03", f"{MAX_DURATION_S:.0f} s",
+         lambda: (_duration(MAX_DURATION_S), _duration(MAX_DURATION_S + 0.125)),
+         (("--rate", 1), ("--rate", 1)), "E-LIM-DURATION"),
+    _row("L04", f"{MAX_ROWS:,} rows", lambda: (_duration(65.535), _duration(65.536)),
+         (("--rate", 1000), ("--rate", 1000)), "E-LIM-ROWS"),
+    Row("L05", "limit: names of 255 bytes", _names),
+    Row("L06", "limit: textures of the named caps", _texture),
+]

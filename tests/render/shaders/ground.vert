@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in float trodden;
+uniform mat4 clip_from_world;
+out vec3 world_position;
+out vec3 world_normal;
+out float path;
+
+void main() {
+    world_position = position;
+    world_normal = normal;
+    path = trodden;
+    gl_Position = clip_from_world * vec4(position, 1.0);
+}

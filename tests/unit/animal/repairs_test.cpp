@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// What the default reading mends, how it says so, and what stays good without a word.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "animal/read_animal.hpp"
+#include "support/sample_models.hpp"
+
+namespace posepack::animal {
+namespace {
+
+using base::IssueCode;
+using support::GlbBuilder;
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+GlbBuilder good() {
+    return support::builder_of(support::tail());
+}
+
+Animal mended(const GlbBuilder& glb) {
+    return support::read_good(glb.build());
+}
+
+// The finding with this code; fails when there is not exactly one.
+base::Issue only_finding(const Animal& animal, IssueCode code) {
+    base::Issue found;
+    int count = 0;
+    for (const base::Issue& finding : animal.findings)
+        if (finding.code == code) found = finding, ++count;
+    EXPECT_EQ(count, 1) << base::issue_kind(code).id;
+    return found;
+}
+
+TEST(Repairs, AGoodFileHasNone) {
+    EXPECT_TRUE(mended(good()).findings.empty());
+}
+
+TEST(Repairs, WeightsAreCountedInVertices) {
+    GlbBuilder glb = good();
+    for (const std::size_t vertex : {0u, 1u, 2u})
+        glb.set(glb.attribute(0, "WEIGHTS_0"), vertex * 4 + 1, kNan);
+    const Animal animal = mended(glb);
+    const base::Issue finding = only_finding(animal, IssueCode::warn_weights);
+    EXPECT_EQ(finding.where, "meshes/0/primitives/0");
+    EXPECT_EQ(finding.detail.substr(0, 11), "3 vertices ");
+    EXPECT_EQ(animal.vertices.weights[0], (std::array<float, 4>{1, 0, 0, 0}));
+}
+
+TEST(Repairs, AVertexWithoutWeightsFollowsItsNeighbour) {
+    GlbBuilder glb = good();
+    for (std::size_t i = 0; i < 4; ++i) glb.set(glb.attribute(0, "WEIGHTS_0"), 4 * 4 + i, 0.0f);
+    const Animal animal = mended(glb);
+    only_finding(animal, IssueCode::warn_weights);
+    EXPECT_EQ(animal.vertices.weights[4], animal.vertices.weights[5]);
+    EXPECT_EQ(animal.vertices.bones[4], animal.vertices.bones[5]);
+}
+
+TEST(Repairs, EqualTimesAreCounted) {
+    GlbBuilder glb = good();
+    glb.set(glb.times(2, 0), 1, 0.5f);
+    const Animal animal = mended(glb);
+    EXPECT_EQ(only_finding(animal, IssueCode::warn_times).where, "animations/2");
+    EXPECT_EQ(animal.clips.size(), 3u);
+}
+
+TEST(Repairs, RotationsBecomeUnit) {
+    GlbBuilder glb = good();
+    for (std::size_t c = 0; c < 4; ++c) glb.set(glb.values(0, 0), 8 + c, c == 3 ? 2.0f : 0.0f);
+    const Animal animal = mended(glb);
+    only_finding(animal, IssueCode::warn_quat);
+    EXPECT_EQ(animal.key_values[animal.clips[0].channels[0].first_value + 11], 1.0f);
+}
+
+TEST(Repairs, TheLastChannelOnATargetWins) {
+    GlbBuilder glb = good();
+    auto& animation = glb.document["animations"][2];
+    const int values = glb.add_values(std::vector<float>(9, 0.75f), "VEC3");
+    animation["samplers"].push_back({{"input", animation["samplers"][0]["input"]}, {"output", values}});
+    animation["channels"].push_back({{"sampler", 1}, {"target", {{"node", 3}, {"path", "translation"}}}});
+    const Animal animal = mended(glb);
+    only_finding(animal, IssueCode::warn_channel);
+    ASSERT_EQ(animal.clips[2].channels.size(), 1u);
+    EXPECT_EQ(animal.key_values[animal.clips[2].channels[0].first_value], 0.75f);
+    EXPECT_EQ(animal.clips[2].channels[0].interpolation, Interpolation::linear);
+}
+
+TEST(Repairs, WhatThePaletteCannotMoveIsNamed) {
+    GlbBuilder glb = good();
+    glb.add("nodes", {{"name", "Saddle"}, {"mesh", 0}});
+    auto& primitive = glb.document["meshes"][0]["primitives"][0];
+    primitive["targets"] = {{{"POSITION", primitive["attributes"]["POSITION"]}}};
+    auto& animation = glb.document["animations"][0];
+    animation["channels"].push_back({{"sampler", 0}, {"target", {{"node", 5}, {"path", "weights"}}}});
+    const Animal animal = mended(glb);
+    const auto left_out =
+        std::count_if(animal.findings.begin(), animal.findings.end(),
+                      [](const base::Issue& f) { return f.code == IssueCode::warn_left_out; });
+    EXPECT_EQ(left_out, 3) << "a rigid mesh, morph targets, a channel of morph weights";
+    EXPECT_EQ(animal.clips[0].channels.size(), 2u);
+}
+
+TEST(Repairs, APrimitiveWithoutJointsIsLeftOut) {
+    GlbBuilder glb = good();
+    auto& primitives = glb.document["meshes"][0]["primitives"];
+    auto bare = primitives[0];
+    bare["attributes"].erase("JOINTS_0");
+    primitives.push_back(bare);
+    const Animal animal = mended(glb);
+    EXPECT_EQ(only_finding(animal, IssueCode::warn_left_out).where, "meshes/0/primitives/1");
+    EXPECT_EQ(animal.meshes[0].vertex_count, 12u);
+}
+
+TEST(Repairs, AnUnknownChunkIsSkipped) {
+    support::Bytes bytes = good().build();
+    const support::Bytes more{4, 0, 0, 0, 'X', 'T', 'R', 'A', 1, 2, 3, 4};
+    bytes.insert(bytes.end(), more.begin(), more.end());
+    for (std::size_t i = 0; i < 4; ++i) bytes[8 + i] = static_cast<std::uint8_t>(bytes.size() >> (8 * i));
+    const Animal animal = support::read_good(bytes);
+    only_finding(animal, IssueCode::warn_glb_chunk);
+    EXPECT_EQ(animal.vertices.positions, mended(good()).vertices.positions);
+    EXPECT_EQ(animal.key_values, mended(good()).key_values);
+}
+
+TEST(Repairs, AnUnusedInfluenceMayNameAnything) {
+    GlbBuilder glb = good();
+    glb.set(glb.attribute(0, "JOINTS_0"), 3, std::uint16_t{65535});
+    EXPECT_TRUE(mended(glb).findings.empty());
+}
+
+// Files that must not be refused though they hold odd things.
+TEST(Repairs, HarmlessThingsPassWithoutAWord) {
+    GlbBuilder glb = good();
+    glb.document["images"] = {{{"uri", "a`touch x`"}}, {{"uri", "file:///etc/hostname"}}};
+    glb.document["extensionsRequired"] = {"KHR_materials_unlit", "KHR_mesh_quantization"};
+    glb.document["extensionsUsed"] = glb.document["extensionsRequired"];
+    glb.document["extras"] = {{"uri", "not a buffer"}, {"deep", {{"buffers", {{{"uri", "x"}}}}}}};
+    glb.document["nodes"][5]["translation"] = {5, 6, 7};  // a skinned node's own transform is ignored
+    EXPECT_TRUE(mended(glb).findings.empty());
+}
+
+}  // namespace
+}  // namespace posepack::animal
