@@ -28,20 +28,20 @@ class AccessorReader {
     // Every element as floats, element by element, component by component; matrices column by column.
     // Normalised integers are converted by glTF 2.0 section 3.11. Errors: E-GLB-REFERENCE,
     // E-GLB-ACCESSOR-*, E-GLB-VIEW-RANGE, E-GLB-SPARSE, E-GLB-NUMBER, E-LIM-DECODED.
-    base::Result<std::vector<float>> read_floats(int accessor, const AccessorUse& use);
+    base::Result<std::vector<float>> read_floats(int index, const AccessorUse& use);
 
     // Every element as unsigned integers. Errors as above.
-    base::Result<std::vector<std::uint32_t>> read_integers(int accessor, const AccessorUse& use);
+    base::Result<std::vector<std::uint32_t>> read_integers(int index, const AccessorUse& use);
 
     const tinygltf::Model& model() const { return model_; }
 
  private:
     struct Source;
-    base::Result<Source> open(int accessor, const AccessorUse& use);
-    base::Result<Source> open_view(int view, std::size_t byte_offset, std::size_t count, int type,
+    base::Result<Source> open(int index, const AccessorUse& use);
+    base::Result<Source> open_view(int view_index, std::size_t byte_offset, std::size_t count, int type,
                                    int component, bool tight, const std::string& where) const;
     template <class T, class Convert>
-    base::Result<std::vector<T>> read(int accessor, const AccessorUse& use, Convert convert);
+    base::Result<std::vector<T>> read(int index, const AccessorUse& use, Convert convert);
 
     const tinygltf::Model& model_;
     std::uint64_t decoded_bytes_ = 0;

@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-#define RAPIDJSON_ASSERT(condition) \
+#define RAPIDJSON_ASSERT(condition)     \
     ((condition) ? static_cast<void>(0) \
                  : throw std::runtime_error("JSON value of another type than expected"))
 #define RAPIDJSON_NOEXCEPT_ASSERT(condition) static_cast<void>(condition)

@@ -23,6 +23,17 @@ int attribute(const tinygltf::Primitive& primitive, const std::string& name) {
     return found == primitive.attributes.end() ? -1 : found->second;
 }
 
+// A compressed primitive whose plain accessors are empty would be read as zeros.
+base::Status refuse_draco(const tinygltf::Model& model, const tinygltf::Primitive& primitive,
+                          const std::string& where) {
+    constexpr const char* kDraco = "KHR_draco_mesh_compression";
+    const int positions = attribute(primitive, "POSITION");
+    const bool is_stored = positions >= 0 && static_cast<std::size_t>(positions) < model.accessors.size() &&
+                           model.accessors[static_cast<std::size_t>(positions)].bufferView >= 0;
+    if (!primitive.extensions.contains(kDraco) || is_stored) return {};
+    return Issue{IssueCode::glb_extension, where, std::string("this posepack does not read ") + kDraco};
+}
+
 base::Status read_geometry(ReadContext& context, const tinygltf::Primitive& source, const std::string& where,
                            Primitive& out) {
     const std::initializer_list<int> kinds{
@@ -156,6 +167,7 @@ base::Status read_mesh(ReadContext& context, Mesh& mesh) {
                          "has no positions or no joints: not in the palette");
             continue;
         }
+        if (auto s = refuse_draco(context.model(), primitives[p], where); !s) return s;
         Primitive primitive;
         if (auto s = read_geometry(context, primitives[p], where, primitive); !s) return s;
         if (auto s = read_influences(context, primitives[p], mesh, where, primitive); !s) return s;

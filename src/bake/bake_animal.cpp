@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "animal/read_animal.hpp"
@@ -108,6 +109,10 @@ base::Result<Palette> make_palette(const recipe::AnimalEntry& entry, const Anima
     palette.forward = entry.forward;
     palette.metres_per_unit = entry.metres_per_unit;
     palette.radius = rest_radius(animal, points);
+    if (const auto radius_m = static_cast<float>(palette.radius * palette.metres_per_unit);
+        !(radius_m > 0.0f) || !std::isfinite(radius_m))
+        return Issue{IssueCode::glb_no_extent, "",
+                     fmt::format("expected a rest pose with a size, its radius is {:.3g} m", radius_m)};
     if (auto status = plan_clips(animal, choices.value(), points, palette, findings); !status)
         return status.issue();
     const palette::PaletteClip& last = palette.clips.back();

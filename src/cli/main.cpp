@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <optional>
+#include <system_error>
 #include <vector>
 
 #include "base/text.hpp"
@@ -14,7 +16,6 @@ namespace posepack::cli {
 namespace {
 
 using base::ExitCode;
-using base::Issue;
 using base::IssueCode;
 
 struct Registered {
@@ -70,25 +71,35 @@ int parse_and_run(int argc, char** argv) {
         fmt::print(stderr, "{}", app.help());
         return static_cast<int>(ExitCode::usage);
     }
+    const auto chosen = [&]() -> const Registered* {
+        for (const Registered& command : registered)
+            if (command.app->parsed()) return &command;
+        return nullptr;
+    };
+    // Words that nothing took; subcommands hand theirs up to the program.
+    const auto refuse_extras = [&]() -> std::optional<int> {
+        const std::vector<std::string> words = app.remaining(true);
+        if (words.empty()) return std::nullopt;
+        return refuse_word(chosen() != nullptr ? *chosen()->app : app, words.front());
+    };
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& request) {  // help or version
         return app.exit(request);
     } catch (const CLI::ParseError& error) {
         // A misspelt option often shows up as something else that is missing: name the word first.
-        for (const Registered& command : registered)
-            if (command.app->parsed() && !command.app->remaining().empty())
-                return refuse_word(*command.app, command.app->remaining().front());
+        if (const auto refused = refuse_extras()) return *refused;
         return fail({IssueCode::usage, "", error.what()});
     }
-    for (const Registered& command : registered) {
-        if (!command.app->parsed()) continue;
-        if (!command.app->remaining().empty())
-            return refuse_word(*command.app, command.app->remaining().front());
-        return command.run();
-    }
-    if (!app.remaining().empty()) return refuse_word(app, app.remaining().front());
-    return fail({IssueCode::usage, "", "expected a command"});
+    if (const auto refused = refuse_extras()) return *refused;
+    if (chosen() == nullptr) return fail({IssueCode::usage, "", "expected a command"});
+    return chosen()->run();
+}
+
+// Results that did not reach stdout (a full disk behind a pipe or a redirection) are a failure.
+int flush_output(int exit_code) {
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit_code;
+    return fail({IssueCode::io_write, "stdout", "the results could not be written"});
 }
 
 }  // namespace
@@ -97,9 +108,11 @@ int parse_and_run(int argc, char** argv) {
 int main(int argc, char** argv) {
     using posepack::base::IssueCode;
     try {
-        return posepack::cli::parse_and_run(argc, argv);
+        return posepack::cli::flush_output(posepack::cli::parse_and_run(argc, argv));
     } catch (const std::bad_alloc&) {
         return posepack::cli::fail({IssueCode::memory, "", "an allocation failed"});
+    } catch (const std::system_error& error) {
+        return posepack::cli::fail({IssueCode::io_write, "", error.what()});
     } catch (const std::exception& exception) {
         return posepack::cli::fail({IssueCode::internal, "", exception.what()});
     }

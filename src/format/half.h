@@ -30,14 +30,14 @@ uint16_t posepack_half_from_float(float value);
  */
 static inline float posepack_float_from_half(uint16_t half) {
     const uint32_t sign = ((uint32_t)half & 0x8000u) << 16;
-    const uint32_t magnitude = ((uint32_t)half & 0x7FFFu)
-                               << 13; /* exponent and fraction in their new places */
+    const float two_to_minus_14 = 0.00006103515625f;
+    /* Exponent and fraction in their new places. */
+    const uint32_t magnitude = ((uint32_t)half & 0x7FFFu) << 13;
     if (magnitude >= 0x0F800000u) return posepack_float_from_bits(sign | 0x70000000u | magnitude);
     if (magnitude >= 0x00800000u) return posepack_float_from_bits(sign | (magnitude + 0x38000000u));
     /* Subnormal: read as 2^-14 too much, then take that away, which is exact. */
     return posepack_float_from_bits(
-        sign | posepack_bits_from_float(posepack_float_from_bits(magnitude + 0x38800000u) -
-                                        0.00006103515625f /* 2^-14 */));
+        sign | posepack_bits_from_float(posepack_float_from_bits(magnitude + 0x38800000u) - two_to_minus_14));
 }
 
 #ifdef __cplusplus

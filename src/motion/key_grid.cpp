@@ -31,6 +31,7 @@ bool fits(std::span<const double> times_s, double step_s) {
 // The most usual distance of neighbouring keys, fitted to the whole span.
 std::optional<double> suggested_step_s(std::span<const double> times_s) {
     std::vector<double> gaps;
+    gaps.reserve(times_s.size());
     for (std::size_t i = 1; i < times_s.size(); ++i) gaps.push_back(times_s[i] - times_s[i - 1]);
     if (gaps.empty()) return std::nullopt;
     std::nth_element(gaps.begin(), gaps.begin() + static_cast<long>(gaps.size() / 2), gaps.end());
@@ -44,6 +45,7 @@ std::optional<double> suggested_step_s(std::span<const double> times_s) {
 std::optional<double> key_step_s(std::span<const double> times_s) {
     if (times_s.size() < 2) return std::nullopt;
     std::vector<double> steps;
+    steps.reserve(kUsualRatesHz.size() + 1);
     for (const double rate_hz : kUsualRatesHz) steps.push_back(1.0 / rate_hz);
     if (const auto suggested_s = suggested_step_s(times_s))
         steps.push_back(*suggested_s / std::ceil(*suggested_s / kLongestStepS - kToleranceSteps));

@@ -38,6 +38,8 @@ std::vector<std::uint32_t> first_of_each(std::span<const Key> keys) {
     std::vector<std::uint32_t> firsts;
     for (std::uint32_t v = 0; v < keys.size(); ++v) {
         std::size_t slot = hash_of(keys[v]) & (capacity - 1);
+        // Bitwise on purpose: equal bits skin equally.
+        // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
         while (table[slot] != animal::kNone && std::memcmp(&keys[table[slot]], &keys[v], sizeof(Key)) != 0)
             slot = (slot + 1) & (capacity - 1);
         if (table[slot] != animal::kNone) continue;

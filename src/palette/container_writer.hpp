@@ -17,7 +17,7 @@ namespace posepack::palette {
 std::vector<std::uint8_t> write_container(const animal::Animal& animal, const Palette& palette,
                                           std::string_view provenance);
 
-// Writes the measured error of every clip into a container made by write_container, and seals it again.
-void store_errors(std::span<std::uint8_t> container, std::span<const ClipError> errors);
+// Writes the measured error of every clip into `file`, made by write_container, and seals it again.
+void store_errors(std::span<std::uint8_t> file, std::span<const ClipError> errors);
 
 }  // namespace posepack::palette

@@ -7,6 +7,7 @@
 #include "format/bytes.h"
 #include "format/half.h"
 #include "format/texels.h"
+#include "palette/half_rows.hpp"
 #include "posepack/format.h"
 
 namespace posepack::palette {
@@ -47,17 +48,15 @@ std::uint32_t RowEncoder::encode(std::uint32_t row, std::span<const motion::Affi
                                  std::span<float> stored) {
     const bool half = layout_.texel_format == POSEPACK_TEXEL_RGBA16F;
     for (std::uint32_t b = 0; b < layout_.bone_count; ++b)
-        for (std::uint32_t e = 0; e < 12; ++e) {
-            const int r = static_cast<int>(e / 4);
-            const int c = static_cast<int>(e % 4);
-            auto value = static_cast<float>(c < 3 ? bones[b].linear[c][r] : bones[b].translation[r]);
-            if (half) {
-                halves_[b * 12 + e] = posepack_half_from_float(value);
-                value = posepack_float_from_half(halves_[b * 12 + e]);
-            }
-            if (!std::isfinite(value)) return b;
-            stored[b * 12 + e] = value;
+        for (std::uint32_t r = 0; r < 3; ++r) {
+            const int i = static_cast<int>(r);
+            float* out = &stored[b * 12 + r * 4];
+            for (int c = 0; c < 3; ++c) out[c] = static_cast<float>(bones[b].linear[c][i]);
+            out[3] = static_cast<float>(bones[b].translation[i]);
         }
+    if (half) round_to_halves(stored.first(halves_.size()), halves_);
+    for (std::uint32_t e = 0; e < halves_.size(); ++e)
+        if (!std::isfinite(stored[e])) return e / 12;
     const posepack_texel_layout texels{layout_.bone_count,  layout_.texels_per_bone, layout_.texel_order,
                                        layout_.texel_bytes, layout_.rows_per_line,   layout_.row_pitch_bytes};
     std::uint8_t* at = pixels_.data() + posepack_texel_offset(&texels, row, 0, 0);

@@ -17,7 +17,6 @@
 namespace posepack::recipe {
 namespace {
 
-using base::Issue;
 using base::IssueCode;
 using Json = nlohmann::json;
 
@@ -279,11 +278,11 @@ std::vector<AnimalEntry> read_animals(const Value& catalog, const CommandLine& c
 }  // namespace
 
 const KeywordMap& default_keywords() {
-    static const KeywordMap keywords{{"attack", {"attack", "bite"}},
-                                     {"flee", {"run", "gallop"}},
-                                     {"idle", {"idle"}},
-                                     {"wander", {"walk"}}};
-    return keywords;
+    static const KeywordMap kKeywords{{"attack", {"attack", "bite"}},
+                                      {"flee", {"run", "gallop"}},
+                                      {"idle", {"idle"}},
+                                      {"wander", {"walk"}}};
+    return kKeywords;
 }
 
 base::Result<Catalog> read_catalog(std::string_view text, const OutputOverrides& overrides,

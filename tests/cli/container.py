@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Takes a container apart and puts it together again with right checksums, so that a test can break one rule of
-docs/format/posepack-1.md and no other."""
+"""Takes a container apart and puts it together again with right checksums, so that a test can break one
+rule of docs/format/posepack-1.md and no other."""
 
 import struct
 
@@ -28,7 +28,7 @@ def crc32c(data):
 
 
 def seal(data):
-    """The bytes with the checksums of table and header made right. Needs a section count that fits the file."""
+    """The bytes with the checksums of table and header made right; the section count must fit the file."""
     data = bytearray(data)
     count = struct.unpack_from("<I", data, 24)[0]
     struct.pack_into("<I", data, TABLE_CRC, crc32c(data[HEADER_BYTES:HEADER_BYTES + count * ENTRY_BYTES]))

@@ -184,7 +184,7 @@ def _optional_section(case):
 
 
 def _same_layout(case):
-    """What the helper lays out is byte for byte what the program wrote: else the sealed rows prove nothing."""
+    """What is laid out here is byte for byte what the program wrote: else the sealed rows prove nothing."""
     data = _good(case)
     case.check(Container(data).build() == data, "a container parsed and laid out again differs")
     case.equal(crc32c(b"123456789"), 0xE3069283, "CRC-32C of 123456789")

@@ -11,22 +11,11 @@ import time
 
 import glb
 from harness import LOCK_NAME, MANIFEST_NAME, TEMPORARY_PREFIX, Row, Skip, mounted, read_bytes, snapshot
+from herd import many_deer
 
 NOBODY = 65534
 HERD = 30
 COMMANDS = ("bake", "report", "compare", "inspect", "verify", "export", "menagerie")
-
-
-def _herd(case, count=HERD, bad=()):
-    """A catalog of `count` animals that differ a little; those of the numbers `bad` are no GLB."""
-    animals = {}
-    for number in range(count):
-        document = glb.tiny_animal()
-        document.json["nodes"][1]["translation"] = [number / 8, 0.0, 0.0]
-        name = f"deer_{number:02}"
-        case.write(f"models/{name}.glb", document.glb() if number not in bad else b"glTF and no more")
-        animals[name] = {"model": name + ".glb"}
-    return case.write_catalog(animals)
 
 
 def _temporaries(case, folder="out"):
@@ -128,7 +117,7 @@ def _read_only_mount(case):
 
 def _full_disk(case):
     """Two small bakes fit into 1 MiB; then three large ones do not, whatever is asked to keep going."""
-    catalog = _herd(case, 3)
+    catalog = many_deer(case, 3)
     os.makedirs(case.path("out"))
     with mounted(["-t", "tmpfs", "-o", "size=1m", "none"], case.path("out")):
         case.expect_ok(case.bake(catalog))
@@ -157,7 +146,7 @@ def _killed(case, catalog, staged):
 
 
 def _kill(case):
-    catalog = _herd(case)
+    catalog = many_deer(case, HERD)
     case.expect_ok(case.bake(catalog, "--rate", 60, measure=True, output="clean"))
     clean = case.output_bytes("clean")
     in_time = 0
@@ -196,7 +185,7 @@ def _locked(case):
 
 
 def _replaced_model(case):
-    """Two good models take turns under one name while 30 animals read it: each record is of the bytes it used."""
+    """Two good models take turns under one name while 30 animals read it: records are of the bytes used."""
     models = {}
     for name in ("a", "b"):
         document = glb.tiny_animal()
@@ -245,7 +234,7 @@ def _bake_while_replacing(case, catalog, models):
 
 
 def _keep_going(case):
-    catalog = _herd(case, bad={17})
+    catalog = many_deer(case, HERD, bad={17})
     result = case.bake(catalog, "--keep-going")
     case.equal(result.exit_code, 9, "exit code")
     errors = result.lines("error")
@@ -255,7 +244,7 @@ def _keep_going(case):
     case.equal([record["id"] for record in case.manifest()["records"]], good, "records")
     case.equal(case.output(), [name + ".posepack" for name in good] + [MANIFEST_NAME], "files")
     case.expect_ok(case.run("verify", "--strict", "out"))
-    whole = _herd(case)
+    whole = many_deer(case, HERD)
     case.expect_ok(case.bake(whole, output="whole"))
     same = case.output_bytes("whole")
     for name, data in case.output_bytes().items():
@@ -265,7 +254,7 @@ def _keep_going(case):
 
 def _first_failure(case):
     """Several bad animals: the first in the order of ids speaks, whatever the number of threads."""
-    catalog = _herd(case, 12, bad={3, 4, 9})
+    catalog = many_deer(case, 12, bad={3, 4, 9})
     case.write("models/deer_03.glb", b"glTG")
     for jobs in (1, 2, 8):
         for _ in range(3):
@@ -273,7 +262,7 @@ def _first_failure(case):
 
 
 def _failure_keeps_the_old(case):
-    catalog = _herd(case, 3)
+    catalog = many_deer(case, 3)
     case.expect_ok(case.bake(catalog))
     before = snapshot(case.path("out"))
     case.write("models/deer_01.glb", b"")

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """GLB files made from nothing: the container's bytes, and a tiny animal that bakes in a few milliseconds.
 
-A Document is edited like the data it is (its JSON is a dict, its BIN chunk a bytearray), so that a test says in a
-line what is wrong with its file.
+A Document is edited like the data it is (its JSON is a dict, its BIN chunk a bytearray), so that a test
+says in a line what is wrong with its file.
 """
 
 import json
@@ -19,7 +19,7 @@ KEY_COUNT = 31  # one second with both ends
 
 
 def chunk(kind, data, fill=b"\0"):
-    """A GLB chunk: its length, its type, its data filled up to a multiple of four bytes (glTF 2.0, section 4.4.3)."""
+    """A GLB chunk: length, type, data filled up to a multiple of four bytes (glTF 2.0, section 4.4.3)."""
     data = bytes(data) + fill * (-len(data) % 4)
     return struct.pack("<I", len(data)) + kind + data
 
@@ -174,7 +174,7 @@ def _add_clips(document, clip_names):
 
 
 def tiny_animal(clip_names=("Walk", "Idle")):
-    """Three joints in a chain, 20 vertices, and clips of 30 rows. Node 0 is the mesh, nodes 1 to 3 the joints."""
+    """Three joints in a chain, 20 vertices, clips of 30 rows. Node 0 is the mesh, nodes 1 to 3 the joints."""
     document = Document()
     _add_mesh(document)
     _add_skeleton(document)

@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Broken and unusual GLB files, and the answer each must get."""
 
-import json
 import os
 import struct
 
 import glb
-from harness import OpenWatch, Row, Skip
+from harness import OpenWatch, Row
 
 NEARLY_2_63 = 4611686018427387904  # times a stride of 4 it wraps to 0 in 64 bits
 

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Runs the program in a folder of its own and looks at all it leaves behind: exit code, streams, files, memory.
+"""Runs the program in a folder of its own and looks at all it leaves behind: exit code, streams, files and
+memory.
 
-A row is a name, a title and a function that takes a Case. Every run is watched: it must end by itself, and touch
-nothing outside the paths it was given.
+A row is a name, a title and a function that takes a Case. Every run is watched: it must end by itself, and
+touch nothing outside the paths it was given.
 """
 
 import contextlib

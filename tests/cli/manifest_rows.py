@@ -1,25 +1,14 @@
 # SPDX-License-Identifier: MIT
-"""`verify` of an output folder whose manifest and containers do not fit each other, and the bake that repairs it."""
+"""`verify` of an output folder whose manifest and containers do not fit, and the bake that repairs it."""
 
 import os
 
-import glb
 from harness import MANIFEST_NAME, Row, read_bytes
-
-
-def _herd(case, count=2):
-    """A catalog of animals that differ a little: deer_0, deer_1..."""
-    animals = {}
-    for number in range(count):
-        document = glb.tiny_animal()
-        document.json["nodes"][1]["translation"] = [number, 0.0, 0.0]
-        case.write(f"models/deer_{number}.glb", document.glb())
-        animals[f"deer_{number}"] = {"model": f"deer_{number}.glb"}
-    return case.write_catalog(animals)
+from herd import many_deer
 
 
 def _baked_herd(case):
-    catalog = _herd(case)
+    catalog = many_deer(case, 2)
     case.expect_ok(case.bake(catalog))
     case.expect_ok(case.run("verify", "out"))
     return catalog
@@ -56,15 +45,15 @@ def _half_a_manifest(case):
 
 def _exchanged(case):
     catalog = _baked_herd(case)
-    case.write("out/deer_0.posepack", read_bytes(case.path("out/deer_1.posepack")))
-    _verify_refused(case, 8, "E-MAN-HASH", "deer_0.posepack")
+    case.write("out/deer_00.posepack", read_bytes(case.path("out/deer_01.posepack")))
+    _verify_refused(case, 8, "E-MAN-HASH", "deer_00.posepack")
     _expect_repaired(case, catalog)
 
 
 def _missing(case):
     catalog = _baked_herd(case)
-    os.remove(case.path("out/deer_1.posepack"))
-    _verify_refused(case, 8, "E-MAN-MISSING", "deer_1.posepack")
+    os.remove(case.path("out/deer_01.posepack"))
+    _verify_refused(case, 8, "E-MAN-MISSING", "deer_01.posepack")
     _expect_repaired(case, catalog)
 
 
@@ -82,7 +71,7 @@ def _killed_before_the_commit(case):
 
 def _stray(case):
     _baked_herd(case)
-    case.write("out/stray.posepack", read_bytes(case.path("out/deer_1.posepack")))
+    case.write("out/stray.posepack", read_bytes(case.path("out/deer_01.posepack")))
     case.expect_ok(case.run("verify", "out"), ["W-MAN-STRAY"])
     _verify_refused(case, 8, "E-MAN-STRAY", "stray.posepack", options=("--strict",))
 
@@ -90,19 +79,19 @@ def _stray(case):
 def _damaged(case):
     """A bit flipped in a listed container is the container's fault first."""
     catalog = _baked_herd(case)
-    data = bytearray(read_bytes(case.path("out/deer_0.posepack")))
+    data = bytearray(read_bytes(case.path("out/deer_00.posepack")))
     data[-1] ^= 0x10
-    case.write("out/deer_0.posepack", bytes(data))
-    _verify_refused(case, 7, "E-PACK-INVALID", "deer_0.posepack", "SECTION_CRC")
+    case.write("out/deer_00.posepack", bytes(data))
+    _verify_refused(case, 7, "E-PACK-INVALID", "deer_00.posepack", "SECTION_CRC")
     _expect_repaired(case, catalog)
 
 
 def _climbing_manifest(case):
     """A manifest is input too: it names no file outside its folder."""
     _baked_herd(case)
-    os.rename(case.path("out/deer_0.posepack"), case.path("deer_0.posepack"))
+    os.rename(case.path("out/deer_00.posepack"), case.path("deer_00.posepack"))
     text = read_bytes(case.path("out", MANIFEST_NAME))
-    case.write("out/" + MANIFEST_NAME, text.replace(b'"deer_0.posepack"', b'"../deer_0.posepack"'))
+    case.write("out/" + MANIFEST_NAME, text.replace(b'"deer_00.posepack"', b'"../deer_00.posepack"'))
     _verify_refused(case, 7, "E-MAN-JSON")
 
 

@@ -31,7 +31,7 @@ def local_matrix(translation=(0, 0, 0), rotation=(0, 0, 0, 1), scale=(1, 1, 1)):
 
 
 def _chain():
-    """The tiny animal with plain nodes above and between its joints: node index -> (parent, local transform)."""
+    """The tiny animal with plain nodes above and between its joints: node -> (parent, local transform)."""
     return {4: (None, {"translation": [0.3, 0.1, -0.2], "rotation": [0.5, 0.5, 0.5, 0.5]}),
             1: (4, {"translation": [0.0, 0.25, 0.0]}),
             5: (1, {"rotation": [0.0, 0.6, 0.0, 0.8], "scale": [1.5, 0.75, 2.0]}),

@@ -148,7 +148,7 @@ def _refused_row(name, title, change, exit_code, issue, mentions):
 
 
 def _last_channel_wins(case):
-    """The doubled channel of the spine carries the head's keys: the bake must equal one that has only those."""
+    """The doubled channel of the spine has the head's keys: the bake must equal one that has only those."""
     document = glb.tiny_animal()
     _two_channels(document)
     alone = glb.tiny_animal()

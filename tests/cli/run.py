@@ -17,6 +17,7 @@ import traceback
 
 import behaviour_rows
 import catalog_rows
+import command_rows
 import container_rows
 import environment_rows
 import glb_rows
@@ -28,8 +29,7 @@ import repair_rows
 from harness import Case, Skip
 
 MODULES = [glb_rows, matrix_rows, repair_rows, limit_rows, catalog_rows, container_rows, manifest_rows,
-           environment_rows,
-           behaviour_rows, mutation_rows]
+           environment_rows, behaviour_rows, command_rows, mutation_rows]
 
 
 class Settings:

@@ -60,8 +60,8 @@ void use_float_attribute(GLuint location, int components, std::size_t stride_byt
 
 class Program {
  public:
-    // Each stage is the text of its files, one behind the other, behind "#version 330 core". `captured` names the
-    // outputs that transform feedback writes, interleaved. Throws RenderError with the compiler's log.
+    // Each stage is the text of its files, one behind the other, behind "#version 330 core". `captured` names
+    // the outputs that transform feedback writes, interleaved. Throws RenderError with the compiler's log.
     Program(const std::vector<std::string>& vertex_files, const std::vector<std::string>& fragment_files,
             const std::vector<const char*>& captured = {});
 

@@ -57,10 +57,14 @@ std::size_t component_count(const std::string& type) {
 
 float read_component(const std::uint8_t* at, int type, bool is_normalized) {
     switch (type) {
-        case 5121: return static_cast<float>(*at) / (is_normalized ? 255.0f : 1.0f);
-        case 5123: return static_cast<float>(read_as<std::uint16_t>(at)) / (is_normalized ? 65535.0f : 1.0f);
-        case 5126: return read_as<float>(at);
-        default: throw RenderError(fmt::format("expected bytes, shorts or floats, found component type {}", type));
+        case 5121:
+            return static_cast<float>(*at) / (is_normalized ? 255.0f : 1.0f);
+        case 5123:
+            return static_cast<float>(read_as<std::uint16_t>(at)) / (is_normalized ? 65535.0f : 1.0f);
+        case 5126:
+            return read_as<float>(at);
+        default:
+            throw RenderError(fmt::format("expected bytes, shorts or floats, found component type {}", type));
     }
 }
 
@@ -72,22 +76,25 @@ Numbers read_accessor(const GltfFile& file, std::size_t index) {
     const std::size_t size = type == 5126 ? 4 : type == 5123 ? 2 : 1;
     Numbers out{accessor.at("count").get<std::size_t>(), component_count(accessor.at("type")), {}};
     const std::size_t stride = view.value("byteStride", size * out.components);
-    const std::size_t start = view.value("byteOffset", std::size_t{0}) + accessor.value("byteOffset", std::size_t{0});
+    const std::size_t start =
+        view.value("byteOffset", std::size_t{0}) + accessor.value("byteOffset", std::size_t{0});
     require(out.count > 0 && start + (out.count - 1) * stride + size * out.components <= file.binary.size(),
             fmt::format("accessors/{}: expected it inside the BIN chunk", index));
     out.values.reserve(out.count * out.components);
     for (std::size_t element = 0; element < out.count; ++element)
         for (std::size_t component = 0; component < out.components; ++component)
-            out.values.push_back(read_component(file.binary.data() + start + element * stride + component * size, type,
-                                                accessor.value("normalized", false)));
+            out.values.push_back(
+                read_component(file.binary.data() + start + element * stride + component * size, type,
+                               accessor.value("normalized", false)));
     return out;
 }
 
 void append_primitive(SkinnedMesh& mesh, const GltfFile& file, const Json& primitive) {
     const Json& attributes = primitive.at("attributes");
     const auto attribute = [&](const char* name) { return read_accessor(file, attributes.at(name)); };
-    const Numbers positions = attribute("POSITION"), normals = attribute("NORMAL"), colours = attribute("COLOR_0"),
-                  joints = attribute("JOINTS_0"), weights = attribute("WEIGHTS_0");
+    const Numbers positions = attribute("POSITION"), normals = attribute("NORMAL"),
+                  colours = attribute("COLOR_0"), joints = attribute("JOINTS_0"),
+                  weights = attribute("WEIGHTS_0");
     const std::size_t first = mesh.vertices.size();
     for (std::size_t v = 0; v < positions.count; ++v) {
         const auto vec3_of = [v](const Numbers& n) {

@@ -13,8 +13,8 @@ namespace posepack::render {
 struct MeshVertex {
     glm::vec3 position{};
     glm::vec3 normal{};
-    glm::vec3 colour{};               // linear, 0..1
-    std::array<float, 4> joints{};    // values of JOINTS_0, later bones of a palette
+    glm::vec3 colour{};             // linear, 0..1
+    std::array<float, 4> joints{};  // values of JOINTS_0, later bones of a palette
     std::array<float, 4> weights{};
 };
 

@@ -21,7 +21,8 @@ EGLContext make_context(EGLDisplay display) {
     const std::array<EGLint, 3> wanted_config = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
     EGLConfig config = nullptr;
     EGLint count = 0;
-    // A display without any surface type may list no config: such a context draws into framebuffers all the same.
+    // A display without any surface type may list no config: such a context draws into framebuffers all the
+    // same.
     if (eglChooseConfig(display, wanted_config.data(), &config, 1, &count) == EGL_FALSE || count == 0)
         config = EGL_NO_CONFIG_KHR;
     const std::array<EGLint, 7> wanted = {EGL_CONTEXT_MAJOR_VERSION,
@@ -54,7 +55,8 @@ std::unique_ptr<HeadlessContext> HeadlessContext::on_display(void* display, std:
 }
 
 std::unique_ptr<HeadlessContext> HeadlessContext::open(std::string& why_not) {
-    if (has_client_extension("EGL_EXT_device_enumeration") && has_client_extension("EGL_EXT_platform_device")) {
+    if (has_client_extension("EGL_EXT_device_enumeration") &&
+        has_client_extension("EGL_EXT_platform_device")) {
         std::array<EGLDeviceEXT, kMaxDevices> devices{};
         EGLint count = 0;
         if (eglQueryDevicesEXT(kMaxDevices, devices.data(), &count) == EGL_FALSE) count = 0;

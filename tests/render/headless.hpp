@@ -10,8 +10,8 @@ namespace posepack::render {
 // Current on the thread that opened it until it is destroyed.
 class HeadlessContext {
  public:
-    // Tries every EGL device, then Mesa's surfaceless platform. Gives nothing where no display can make a context;
-    // `why_not` then says what each one answered.
+    // Tries every EGL device, then Mesa's surfaceless platform. Gives nothing where no display can make a
+    // context; `why_not` then says what each one answered.
     static std::unique_ptr<HeadlessContext> open(std::string& why_not);
 
     HeadlessContext(const HeadlessContext&) = delete;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kShadowMapSide = 8192;
 constexpr int kShadowUnit = 2;  // units 0 and 1 belong to the palette
-constexpr glm::vec3 kEye(0.0f, 1.75f, 0.0f);
+constexpr glm::vec3 kEye(0.0f, 2.1f, 0.0f);
 constexpr glm::vec3 kTarget(0.0f, 1.42f, -10.0f);
 constexpr float kFieldOfViewDegrees = 36.0f;  // vertical
 
@@ -49,7 +49,8 @@ StaticMesh upload_ground() {
     const GroundMesh ground = make_ground();
     StaticMesh out;
     out.vertex_array = make_vertex_array();
-    out.vertices = make_buffer(GL_ARRAY_BUFFER, ground.vertices.data(), ground.vertices.size() * sizeof(GroundVertex));
+    out.vertices =
+        make_buffer(GL_ARRAY_BUFFER, ground.vertices.data(), ground.vertices.size() * sizeof(GroundVertex));
     use_float_attribute(0, 3, sizeof(GroundVertex), offsetof(GroundVertex, position));
     use_float_attribute(1, 3, sizeof(GroundVertex), offsetof(GroundVertex, normal));
     use_float_attribute(2, 1, sizeof(GroundVertex), offsetof(GroundVertex, trodden));
@@ -94,7 +95,8 @@ class Painter {
         const int width = options_.width * options_.samples_a_side;
         const int height = options_.height * options_.samples_a_side;
         const Texture colour = make_texture(GL_RGBA16F, width, height, GL_RGBA, GL_FLOAT);
-        const Texture depth = make_texture(GL_DEPTH_COMPONENT32F, width, height, GL_DEPTH_COMPONENT, GL_FLOAT);
+        const Texture depth =
+            make_texture(GL_DEPTH_COMPONENT32F, width, height, GL_DEPTH_COMPONENT, GL_FLOAT);
         const Framebuffer framebuffer = make_framebuffer(colour.name(), depth.name());
         glViewport(0, 0, width, height);
         glEnable(GL_DEPTH_TEST);
@@ -152,7 +154,8 @@ class Painter {
         use(program, clip_from_world);
         for (const PropCrowd& crowd : props_) {
             glBindVertexArray(crowd.mesh.vertex_array.name());
-            glDrawElementsInstanced(GL_TRIANGLES, crowd.mesh.index_count, GL_UNSIGNED_INT, nullptr, crowd.prop_count);
+            glDrawElementsInstanced(GL_TRIANGLES, crowd.mesh.index_count, GL_UNSIGNED_INT, nullptr,
+                                    crowd.prop_count);
         }
     }
 
@@ -170,7 +173,8 @@ class Painter {
     }
 
     std::vector<std::uint8_t> resolve(GLuint samples) const {
-        const Texture colour = make_texture(GL_RGBA8, options_.width, options_.height, GL_RGBA, GL_UNSIGNED_BYTE);
+        const Texture colour =
+            make_texture(GL_RGBA8, options_.width, options_.height, GL_RGBA, GL_UNSIGNED_BYTE);
         const Framebuffer framebuffer = make_framebuffer(colour.name(), 0);
         glViewport(0, 0, options_.width, options_.height);
         resolve_program_.use();
@@ -192,7 +196,8 @@ class Painter {
     StaticMesh ground_;
     VertexArray empty_;
     std::vector<PropCrowd> props_;
-    Texture shadow_map_ = make_texture(GL_DEPTH_COMPONENT32F, kShadowMapSide, kShadowMapSide, GL_DEPTH_COMPONENT, GL_FLOAT);
+    Texture shadow_map_ =
+        make_texture(GL_DEPTH_COMPONENT32F, kShadowMapSide, kShadowMapSide, GL_DEPTH_COMPONENT, GL_FLOAT);
     Program animal_program_{{"palette.glsl", "animal.vert"}, {"light.glsl", "surface.frag"}};
     Program animal_shadow_program_{{"palette.glsl", "animal.vert"}, {"nothing.frag"}};
     Program prop_program_{{"prop.vert"}, {"light.glsl", "surface.frag"}};
@@ -224,7 +229,8 @@ AnimalCrowd upload_crowd(const Crowd& crowd, const std::vector<std::uint8_t>& gl
     return out;
 }
 
-Picture draw_herd(const HerdScene& scene, const std::vector<AnimalCrowd>& crowds, const PictureOptions& options) {
+Picture draw_herd(const HerdScene& scene, const std::vector<AnimalCrowd>& crowds,
+                  const PictureOptions& options) {
     return Painter(scene, crowds, options).paint();
 }
 

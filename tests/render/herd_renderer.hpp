@@ -37,6 +37,7 @@ struct Picture {
     int draw_calls = 0;             // for animals, in the picture itself
 };
 
-Picture draw_herd(const HerdScene& scene, const std::vector<AnimalCrowd>& crowds, const PictureOptions& options);
+Picture draw_herd(const HerdScene& scene, const std::vector<AnimalCrowd>& crowds,
+                  const PictureOptions& options);
 
 }  // namespace posepack::render

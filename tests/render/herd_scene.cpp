@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 #include <glm/vec2.hpp>
+#include <utility>
 
 #include "render/terrain.hpp"
 
@@ -53,8 +54,12 @@ float heading_of(glm::vec2 way) {
 
 // Coats of a herd: mostly tan, some dark, some nearly white.
 glm::vec3 coat(Dice& dice) {
-    constexpr std::array<glm::vec3, 6> kCoats = {{{1.0f, 1.0f, 1.0f}, {0.72f, 0.66f, 0.62f}, {1.35f, 1.38f, 1.42f},
-                                                  {1.1f, 0.95f, 0.82f}, {0.5f, 0.46f, 0.45f}, {1.6f, 1.68f, 1.78f}}};
+    constexpr std::array<glm::vec3, 6> kCoats = {{{1.0f, 1.0f, 1.0f},
+                                                  {0.72f, 0.66f, 0.62f},
+                                                  {1.35f, 1.38f, 1.42f},
+                                                  {1.1f, 0.95f, 0.82f},
+                                                  {0.5f, 0.46f, 0.45f},
+                                                  {1.6f, 1.68f, 1.78f}}};
     const float shade = dice.between(0.9f, 1.1f);
     return shade * kCoats[static_cast<std::size_t>(dice.share() * 5.999f)];
 }
@@ -65,9 +70,9 @@ class Composer {
         scene_.crowds = {{"goat", {}}, {"wolf", {}}, {"sparrow", {}}, {"viper", {}}};
         place_vipers();
         lead_the_way();
+        chase();
         walk_the_path();
         graze();
-        chase();
         fly();
         hop();
         plant();
@@ -94,10 +99,10 @@ class Composer {
         const auto at = [this](float x, float z, float heading, const char* clip) {
             Instance snake{on_ground({x, z}, 0.004f), heading, 1.5f};
             add(viper, clip, snake);
-            room_.claim({x, z}, 0.7f);
+            room_.claim({x, z}, 0.6f);
         };
-        at(-1.45f, -4.7f, 1.0f, "Slither");
-        at(2.9f, -5.5f, -1.2f, "Rise");
+        at(-1.9f, -6.15f, 1.25f, "Slither");
+        at(2.55f, -6.5f, -1.0f, "Rise");
     }
 
     // A few animals in front, placed by hand.
@@ -112,7 +117,7 @@ class Composer {
                                             {0.35f, -8.2f, 0.8f, 0.58f, "Trot", {1.2f, 1.15f, 1.1f}},
                                             {-1.5f, -11.4f, 0.6f, 1.08f, "Walk", {0.55f, 0.5f, 0.5f}},
                                             {-3.3f, -7.9f, 2.2f, 1.0f, "Eat", {1.1f, 0.98f, 0.85f}},
-                                            {-4.9f, -9.3f, -0.6f, 1.04f, "Idle", {0.75f, 0.68f, 0.64f}},
+                                            {-5.9f, -12.3f, 0.5f, 1.04f, "Idle", {0.75f, 0.68f, 0.64f}},
                                             {5.0f, -10.6f, -2.1f, 0.97f, "Eat", {1.35f, 1.36f, 1.4f}}}};
         for (const Lead& lead : leads) {
             Instance out{on_ground({lead.x, lead.z}), lead.heading, lead.scale};
@@ -123,7 +128,7 @@ class Composer {
     }
 
     void walk_the_path() {
-        for (int attempt = 0; attempt < 900; ++attempt) {
+        for (int attempt = 0; attempt < 2200; ++attempt) {
             const float along = dice_.between(0.02f, 0.93f);
             const glm::vec2 way = glm::normalize(path_place(along + 0.01f) - path_place(along - 0.01f));
             const glm::vec2 side(way.y, -way.x);
@@ -134,12 +139,14 @@ class Composer {
         }
     }
 
+    static bool is_hunted(glm::vec2 place) { return place.x > 2.5f && place.y < -17.0f && place.y > -36.0f; }
+
     void graze() {
-        for (int attempt = 0; attempt < 520; ++attempt) {
+        for (int attempt = 0; attempt < 900; ++attempt) {
             const float away = 11.0f + 80.0f * dice_.share() * dice_.share();
             const glm::vec2 place(dice_.between(-0.62f, 0.62f) * (away + 3.0f), -away);
             // Loose groups: the noise opens clearings between them.
-            if (smooth_noise(place * 0.16f) < 0.56f) continue;
+            if (smooth_noise(place * 0.16f) < 0.56f || is_hunted(place)) continue;
             Instance out = grown_goat(place, dice_.between(0.0f, kTwoPi));
             if (!room_.claim(place, 1.0f * out.scale)) continue;
             const float mood = dice_.share();
@@ -147,30 +154,29 @@ class Composer {
         }
     }
 
-    // Wolves from the right edge, and the goats that run from them.
+    // Wolves cut some goats off from the herd and drive them to the right.
     void chase() {
-        const glm::vec2 way = glm::normalize(glm::vec2(-1.0f, 0.16f));
-        for (int attempt = 0; attempt < 300; ++attempt) {
-            const glm::vec2 place = glm::vec2(dice_.between(13.0f, 34.0f), -47.0f) +
-                                    glm::vec2(0.0f, dice_.around(0.0f, 9.0f));
-            Instance out = grown_goat(place, heading_of(way) + dice_.around(0.0f, 0.2f));
-            if (!room_.claim(place, 1.15f * out.scale)) continue;
-            add(goat, "Gallop", out);
-        }
-        for (int attempt = 0; attempt < 9; ++attempt) {
-            const glm::vec2 place(dice_.between(16.5f, 24.0f), dice_.around(-31.0f, 3.0f));
-            if (!room_.claim(place, 1.3f)) continue;
-            Instance out{on_ground(place), heading_of(glm::vec2(-0.9f, -0.55f)) + dice_.around(0.0f, 0.15f), 1.15f};
+        for (int attempt = 0; attempt < 14; ++attempt) {
+            const glm::vec2 place(dice_.between(4.2f, 8.6f), dice_.around(-25.5f, 3.2f));
+            if (!room_.claim(place, 1.35f)) continue;
+            Instance out{on_ground(place), heading_of({1.0f, 0.12f}) + dice_.around(0.0f, 0.2f), 1.15f};
             out.tint = glm::vec3(dice_.between(0.75f, 1.15f));
             add(wolf, "Gallop", out);
+        }
+        for (int attempt = 0; attempt < 160; ++attempt) {
+            const glm::vec2 place(dice_.between(9.8f, 22.0f), dice_.around(-26.0f, 6.0f));
+            Instance out = grown_goat(place, heading_of({1.0f, 0.1f}) + dice_.around(0.0f, 0.35f));
+            if (room_.claim(place, 1.05f * out.scale)) add(goat, "Gallop", out);
         }
     }
 
     void fly() {
         for (int i = 0; i < 58; ++i) {
             const float t = dice_.share();
-            const glm::vec2 place(-7.5f + 15.0f * t + dice_.around(0.0f, 1.6f), -9.0f - 9.0f * t + dice_.around(0.0f, 3.0f));
-            Instance out{on_ground(place, 3.0f + 1.6f * t + dice_.around(0.0f, 0.8f)), 0.9f + dice_.around(0.0f, 0.4f)};
+            const glm::vec2 place(-7.5f + 15.0f * t + dice_.around(0.0f, 1.6f),
+                                  -9.0f - 9.0f * t + dice_.around(0.0f, 3.0f));
+            Instance out{on_ground(place, 3.0f + 1.6f * t + dice_.around(0.0f, 0.8f)),
+                         0.9f + dice_.around(0.0f, 0.4f)};
             out.scale = 1.7f;
             out.rate = dice_.between(0.9f, 1.15f);
             out.bank = dice_.around(0.0f, 0.35f);
@@ -181,7 +187,7 @@ class Composer {
     void hop() {
         constexpr std::array<const char*, 4> kClips = {"Peck", "Hop", "Idle", "Peck"};
         for (int attempt = 0; attempt < 60; ++attempt) {
-            const glm::vec2 place(dice_.around(0.7f, 1.3f), dice_.around(-5.2f, 0.9f));
+            const glm::vec2 place(dice_.around(0.5f, 1.2f), dice_.around(-6.3f, 0.75f));
             if (!room_.claim(place, 0.17f)) continue;
             Instance out{on_ground(place), dice_.between(0.0f, kTwoPi), 1.3f};
             add(sparrow, kClips[static_cast<std::size_t>(attempt) % 4], out);
@@ -189,23 +195,26 @@ class Composer {
     }
 
     void plant() {
-        for (int attempt = 0; attempt < 5200; ++attempt) {
-            const float away = 3.2f + 44.0f * dice_.share() * dice_.share();
+        for (int attempt = 0; attempt < 9000; ++attempt) {
+            const float away = 4.0f + 24.0f * dice_.share() * dice_.share();
             const glm::vec2 place(dice_.between(-0.66f, 0.66f) * (away + 2.0f), -away);
-            if (smooth_noise(place * 0.55f) < dice_.between(0.4f, 0.75f)) continue;
+            if (smooth_noise(place * 0.55f) < dice_.between(0.45f, 0.8f) || trodden_at(place) > 0.3f)
+                continue;
             Prop tuft{on_ground(place), dice_.between(0.0f, kTwoPi), dice_.between(0.6f, 1.15f)};
             tuft.tint = glm::mix(glm::vec3(0.8f, 1.0f, 0.7f), glm::vec3(1.35f, 1.15f, 0.8f), dice_.share());
             scene_.tufts.push_back(tuft);
             if (dice_.share() < 0.10f && away < 22.0f) {
-                tuft.tint = dice_.share() < 0.5f ? glm::vec3(1.0f, 0.95f, 0.85f) : glm::vec3(1.0f, 0.72f, 0.12f);
+                tuft.tint =
+                    dice_.share() < 0.5f ? glm::vec3(1.0f, 0.95f, 0.85f) : glm::vec3(1.0f, 0.72f, 0.12f);
                 scene_.flowers.push_back(tuft);
             }
         }
-        for (int attempt = 0; attempt < 5000; ++attempt) {
-            const float away = 95.0f + 420.0f * dice_.share();
+        for (int attempt = 0; attempt < 4200; ++attempt) {
+            const float away = 135.0f + 420.0f * dice_.share();
             const glm::vec2 place(dice_.between(-0.7f, 0.7f) * away, -away);
-            if (smooth_noise(place * 0.017f + 4.0f) < 0.6f) continue;
-            Prop tree{on_ground(place, -0.3f), dice_.between(0.0f, kTwoPi), dice_.between(0.7f, 1.35f)};
+            if (smooth_noise(place * glm::vec2(0.017f, 0.012f) + 4.0f) < 0.69f) continue;
+            const float size = dice_.share();
+            Prop tree{on_ground(place, -0.3f), dice_.between(0.0f, kTwoPi), 0.45f + 0.9f * size * size};
             tree.tint = glm::vec3(dice_.between(0.8f, 1.2f));
             scene_.trees.push_back(tree);
         }

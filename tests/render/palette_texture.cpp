@@ -18,7 +18,8 @@ constexpr std::array<float, 12> kIdentity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}
 
 PaletteTexture::PaletteTexture(std::vector<std::uint8_t> bytes) : bytes_(std::move(bytes)) {
     const posepack_result result = posepack_open(&view_, bytes_.data(), bytes_.size());
-    require(result == POSEPACK_OK, fmt::format("the loader refuses the container: {}", posepack_result_name(result)));
+    require(result == POSEPACK_OK,
+            fmt::format("the loader refuses the container: {}", posepack_result_name(result)));
     check_spaces();
     upload_texels();
     upload_clips();
@@ -42,8 +43,8 @@ void PaletteTexture::upload_texels() {
     const auto texel_bytes = is_half ? 8u : 16u;
     glPixelStorei(GL_UNPACK_ROW_LENGTH, static_cast<GLint>(texels.row_pitch_bytes / texel_bytes));
     texels_ = make_texture(is_half ? GL_RGBA16F : GL_RGBA32F, static_cast<int>(texels.width_texels),
-                           static_cast<int>(texels.height_texels), GL_RGBA, is_half ? GL_HALF_FLOAT : GL_FLOAT,
-                           texels.data);
+                           static_cast<int>(texels.height_texels), GL_RGBA,
+                           is_half ? GL_HALF_FLOAT : GL_FLOAT, texels.data);
     glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
     check_gl("the upload of a palette");
 }
@@ -63,7 +64,8 @@ void PaletteTexture::upload_clips() {
 
 posepack_clip PaletteTexture::clip(std::uint32_t index) const {
     posepack_clip found{};
-    require(posepack_get_clip(&view_, index, &found) == POSEPACK_OK, fmt::format("expected a clip {}", index));
+    require(posepack_get_clip(&view_, index, &found) == POSEPACK_OK,
+            fmt::format("expected a clip {}", index));
     return found;
 }
 
@@ -79,7 +81,8 @@ void PaletteTexture::bind(const Program& program) const {
     program.set_texture("palette", 0, texels_.name());
     program.set_texture("clip_table", 1, clips_.name());
     program.set("palette_encoding", static_cast<int>(h.encoding));
-    program.set("bone_step", h.texel_order == POSEPACK_ORDER_PLANAR ? 1 : static_cast<int>(h.texels_per_bone));
+    program.set("bone_step",
+                h.texel_order == POSEPACK_ORDER_PLANAR ? 1 : static_cast<int>(h.texels_per_bone));
     program.set("texel_step", h.texel_order == POSEPACK_ORDER_PLANAR ? static_cast<int>(h.bone_count) : 1);
     program.set("row_texels", static_cast<int>(h.bone_count * h.texels_per_bone));
     program.set("rows_per_line", static_cast<int>(h.rows_per_line));
@@ -89,8 +92,9 @@ void PaletteTexture::map_joints(SkinnedMesh& mesh) const {
     for (MeshVertex& vertex : mesh.vertices)
         for (float& joint : vertex.joints) {
             std::uint32_t bone = 0;
-            require(posepack_map_joint(&view_, 0, static_cast<std::uint32_t>(joint), &bone) == POSEPACK_OK,
-                    fmt::format("expected joint {} in the container: it was baked from another model", joint));
+            require(
+                posepack_map_joint(&view_, 0, static_cast<std::uint32_t>(joint), &bone) == POSEPACK_OK,
+                fmt::format("expected joint {} in the container: it was baked from another model", joint));
             joint = static_cast<float>(bone);
         }
 }

@@ -15,8 +15,8 @@ namespace posepack::render {
 
 class PaletteTexture {
  public:
-    // Opens the container and uploads it. Throws RenderError for bytes that the loader refuses, for clips with cuts
-    // and for palettes that are not in model space: shaders/palette.glsl reads neither.
+    // Opens the container and uploads it. Throws RenderError for bytes that the loader refuses, for clips
+    // with cuts and for palettes that are not in model space: shaders/palette.glsl reads neither.
     explicit PaletteTexture(std::vector<std::uint8_t> bytes);
 
     const posepack_view& view() const { return view_; }

@@ -17,7 +17,8 @@ void add_triangle(SkinnedMesh& mesh, const MeshVertex& a, const MeshVertex& b, c
     }
 }
 
-// A blade of three triangles that bends outwards. Normals point up, so that grass is lit like the ground below it.
+// A blade of three triangles that bends outwards. Normals point up, so that grass is lit like the ground
+// below it.
 void add_blade(SkinnedMesh& mesh, float turn, float height, float lean, float start) {
     const glm::vec3 out(std::cos(turn), 0.0f, std::sin(turn));
     const glm::vec3 side(-out.z * 0.011f, 0.0f, out.x * 0.011f);
@@ -25,7 +26,8 @@ void add_blade(SkinnedMesh& mesh, float turn, float height, float lean, float st
     const glm::vec3 root = out * start;
     const glm::vec3 middle = root + out * (lean * 0.3f) + up * (height * 0.6f);
     const glm::vec3 tip = root + out * lean + up * height;
-    const glm::vec3 dark(0.05f, 0.10f, 0.022f), half(0.11f, 0.19f, 0.04f), bright(0.22f, 0.30f, 0.075f);
+    const glm::vec3 dark(0.055f, 0.095f, 0.024f), half(0.095f, 0.145f, 0.034f),
+        bright(0.175f, 0.215f, 0.062f);
     const MeshVertex a{root - side, up, dark, {}, {}}, b{root + side, up, dark, {}, {}};
     const MeshVertex c{middle - 0.7f * side, up, half, {}, {}}, d{middle + 0.7f * side, up, half, {}, {}};
     add_triangle(mesh, a, b, d);
@@ -39,7 +41,8 @@ void add_cone(SkinnedMesh& mesh, float base, float top, float radius, glm::vec3 
     const auto rim = [&](int i) {
         const float turn = kTwoPi * static_cast<float>(i) / kSides;
         const glm::vec3 out(std::cos(turn), 0.0f, std::sin(turn));
-        return MeshVertex{out * radius + glm::vec3(0, base, 0), glm::normalize(out + glm::vec3(0, slope, 0)), low, {}, {}};
+        return MeshVertex{
+            out * radius + glm::vec3(0, base, 0), glm::normalize(out + glm::vec3(0, slope, 0)), low, {}, {}};
     };
     for (int i = 0; i < kSides; ++i) {
         MeshVertex apex{{0, top, 0}, glm::normalize(rim(i).normal + rim(i + 1).normal), high, {}, {}};
@@ -67,7 +70,11 @@ SkinnedMesh make_flower() {
     const glm::vec3 centre(0.01f, 0.17f, 0.0f), up(0.0f, 1.0f, 0.0f), petal(0.9f, 0.9f, 0.9f);
     for (int i = 0; i < kPetals; ++i) {
         const auto corner = [&](float turn, float radius, float rise) {
-            return MeshVertex{centre + glm::vec3(radius * std::cos(turn), rise, radius * std::sin(turn)), up, petal, {}, {}};
+            return MeshVertex{centre + glm::vec3(radius * std::cos(turn), rise, radius * std::sin(turn)),
+                              up,
+                              petal,
+                              {},
+                              {}};
         };
         const float turn = kTwoPi * static_cast<float>(i) / kPetals;
         add_triangle(mesh, {centre, up, {0.8f, 0.5f, 0.1f}, {}, {}}, corner(turn + 0.45f, 0.028f, 0.016f),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Small still meshes: a tuft of grass, a flower, a tree. They use the vertices of skinned meshes, without bones.
+// Small still meshes: a tuft of grass, a flower, a tree. They use the vertices of skinned meshes, without
+// bones.
 #pragma once
 
 #include "render/glb_mesh.hpp"

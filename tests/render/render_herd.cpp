@@ -39,8 +39,9 @@ void render_herd(const Options& options) {
     const render::HerdScene scene = render::compose_herd();
     std::vector<render::AnimalCrowd> crowds;
     for (const render::Crowd& crowd : scene.crowds) {
-        crowds.push_back(render::upload_crowd(crowd, read(fmt::format("{}/{}.glb", options.models, crowd.animal)),
-                                              read(fmt::format("{}/{}.posepack", options.palettes, crowd.animal))));
+        crowds.push_back(
+            render::upload_crowd(crowd, read(fmt::format("{}/{}.glb", options.models, crowd.animal)),
+                                 read(fmt::format("{}/{}.posepack", options.palettes, crowd.animal))));
         fmt::print("{:4} x {}\n", crowd.actors.size(), crowd.animal);
     }
     const render::Picture picture = render::draw_herd(scene, crowds, options.picture);

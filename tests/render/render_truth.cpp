@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The vertices that a shader skins from a palette texture are those that the C loader's matrices give on the CPU.
+// The vertices that a shader skins from a palette texture are those that the C loader's matrices give on the
+// CPU.
 //
-// Every animal of the menagerie is baked in every form (encoding, texel format, texel order, row pitch), opened by the
-// loader, and drawn into a transform feedback buffer at several times of every clip. Exit code 77: no EGL device.
+// Every animal of the menagerie is baked in every form (encoding, texel format, texel order, row pitch),
+// opened by the loader, and drawn into a transform feedback buffer at several times of every clip. Exit code
+// 77: no EGL device.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -61,7 +63,8 @@ double row_difference(const posepack_clip& clip, double cycles, const glm::vec3&
     const double row = static_cast<double>(rows.x) - clip.first_row;
     const double next = static_cast<double>(rows.y) - clip.first_row;
     const double behind_row = row + 1.0 < count ? row + 1.0 : (is_loop ? 0.0 : row);
-    require(next == behind_row, fmt::format("expected row {} behind row {}, found {}", behind_row, row, next));
+    require(next == behind_row,
+            fmt::format("expected row {} behind row {}, found {}", behind_row, row, next));
     const double difference = std::abs(row + static_cast<double>(rows.z) - expected);
     return is_loop ? std::min(difference, count - difference) : difference;
 }
@@ -70,12 +73,14 @@ struct Skinned {
     std::array<double, 3> position{}, normal{};
 };
 
-Skinned skin(const MeshVertex& vertex, const std::vector<float>& row, const std::vector<float>& next, double factor) {
+Skinned skin(const MeshVertex& vertex, const std::vector<float>& row, const std::vector<float>& next,
+             double factor) {
     std::array<double, 12> m{};
     for (std::size_t i = 0; i < 4; ++i)
         for (std::size_t e = 0; e < 12; ++e) {
             const std::size_t at = static_cast<std::size_t>(vertex.joints[i]) * 12 + e;
-            const double blended = (1.0 - factor) * static_cast<double>(row[at]) + factor * static_cast<double>(next[at]);
+            const double blended =
+                (1.0 - factor) * static_cast<double>(row[at]) + factor * static_cast<double>(next[at]);
             m[e] += static_cast<double>(vertex.weights[i]) * blended;
         }
     Skinned out;
@@ -90,17 +95,22 @@ Skinned skin(const MeshVertex& vertex, const std::vector<float>& row, const std:
 }
 
 double distance(const std::array<double, 3>& a, const glm::vec3& b) {
-    return std::hypot(a[0] - static_cast<double>(b.x), a[1] - static_cast<double>(b.y), a[2] - static_cast<double>(b.z));
+    return std::hypot(a[0] - static_cast<double>(b.x), a[1] - static_cast<double>(b.y),
+                      a[2] - static_cast<double>(b.z));
 }
 
 // ---- One palette on the GPU ----
 
 class TruthTable {
  public:
-    TruthTable(const render::PaletteTexture& palette, const render::SkinnedMesh& mesh, const render::Program& program)
-        : palette_(palette), mesh_(mesh), program_(program), buffers_(render::upload_mesh(mesh)),
-          capture_(render::make_buffer(GL_TRANSFORM_FEEDBACK_BUFFER, nullptr, mesh.vertices.size() * sizeof(Captured),
-                                       GL_STREAM_READ)) {
+    TruthTable(const render::PaletteTexture& palette, const render::SkinnedMesh& mesh,
+               const render::Program& program)
+        : palette_(palette),
+          mesh_(mesh),
+          program_(program),
+          buffers_(render::upload_mesh(mesh)),
+          capture_(render::make_buffer(GL_TRANSFORM_FEEDBACK_BUFFER, nullptr,
+                                       mesh.vertices.size() * sizeof(Captured), GL_STREAM_READ)) {
         program_.use();
         palette_.bind(program_);
     }
@@ -131,7 +141,8 @@ class TruthTable {
 
     std::vector<float> decode(float row) const {
         std::vector<float> matrices(std::size_t{palette_.view().header.bone_count} * 12);
-        require(posepack_decode_row(&palette_.view(), static_cast<std::uint32_t>(row), matrices.data()) == POSEPACK_OK,
+        require(posepack_decode_row(&palette_.view(), static_cast<std::uint32_t>(row), matrices.data()) ==
+                    POSEPACK_OK,
                 fmt::format("expected row {} in the palette", row));
         return matrices;
     }
@@ -150,7 +161,8 @@ class TruthTable {
             // max() would pass over a NaN.
             const double position = distance(expected.position, captured[v].position) / radius;
             const double normal = distance(expected.normal, captured[v].normal);
-            require(std::isfinite(position) && std::isfinite(normal), "expected finite vertices from the shader");
+            require(std::isfinite(position) && std::isfinite(normal),
+                    "expected finite vertices from the shader");
             tally.position = std::max(tally.position, position);
             tally.normal = std::max(tally.normal, normal);
         }
@@ -182,7 +194,8 @@ std::vector<recipe::OutputOverrides> all_forms() {
                 const bool is_tight =
                     (encoding == recipe::Encoding::mat4) != (order == recipe::TexelOrder::planar);
                 forms.push_back({encoding, format, order,
-                                 is_tight ? recipe::RowPitch::tight : recipe::RowPitch::align256, std::nullopt});
+                                 is_tight ? recipe::RowPitch::tight : recipe::RowPitch::align256,
+                                 std::nullopt});
             }
     return forms;
 }
@@ -199,7 +212,8 @@ void compare_animal(const recipe::AnimalEntry& entry, const render::Program& pro
 }
 
 Tally compare_catalog() {
-    const base::Bytes text = take(base::read_file(POSEPACK_CATALOG, recipe::kMaxCatalogBytes), POSEPACK_CATALOG);
+    const base::Bytes text =
+        take(base::read_file(POSEPACK_CATALOG, recipe::kMaxCatalogBytes), POSEPACK_CATALOG);
     const render::Program program({"palette.glsl", "truth.vert"}, {"nothing.frag"},
                                   {"skinned_position", "skinned_normal", "chosen_rows"});
     // Without a surface there is no framebuffer, and OpenGL draws nothing without one, captured or not.
@@ -207,8 +221,9 @@ Tally compare_catalog() {
     const render::Framebuffer framebuffer = render::make_framebuffer(colour.name(), 0);
     Tally tally;
     for (const recipe::OutputOverrides& form : all_forms()) {
-        auto catalog = take(
-            recipe::read_catalog({reinterpret_cast<const char*>(text.data()), text.size()}, form), POSEPACK_CATALOG);
+        auto catalog =
+            take(recipe::read_catalog({reinterpret_cast<const char*>(text.data()), text.size()}, form),
+                 POSEPACK_CATALOG);
         for (recipe::AnimalEntry& entry : catalog.animals) {
             // The catalog loops and ends clips; the third way to wrap is tried on one clip of each animal.
             entry.clips.at(1).wrap = recipe::Wrap::ping_pong;
@@ -220,7 +235,8 @@ Tally compare_catalog() {
 }
 
 int report(const Tally& tally) {
-    fmt::print("compared {} vertices of {} poses in {} palettes\n", tally.vertices, tally.poses, tally.palettes);
+    fmt::print("compared {} vertices of {} poses in {} palettes\n", tally.vertices, tally.poses,
+               tally.palettes);
     fmt::print("largest difference: position {:.2e} R, normal {:.2e}, row {:.2e} of a clip\n", tally.position,
                tally.normal, tally.row);
     const bool passed = tally.vertices > 0 && tally.position <= kPositionTolerance &&

@@ -11,13 +11,13 @@ namespace {
 
 constexpr int kAcross = 360;
 constexpr int kAway = 420;
-constexpr float kNearZ = 6.0f;       // the first line of the mesh, behind the camera
-constexpr float kDepth = 900.0f;     // from there to the last line
+constexpr float kNearZ = 6.0f;    // the first line of the mesh, behind the camera
+constexpr float kDepth = 900.0f;  // from there to the last line
 constexpr float kPathHalfWidth = 1.5f;
 
 // Where the herd walks, from the hills to the right foreground: (x, z).
-constexpr std::array<glm::vec2, 8> kPath = {{{-62, -150}, {-34, -104}, {2, -74}, {12, -52}, {1, -36}, {-7, -25},
-                                             {-3, -15.5f}, {4.5f, -9.5f}}};
+constexpr std::array<glm::vec2, 8> kPath = {
+    {{-62, -150}, {-34, -104}, {2, -74}, {12, -52}, {1, -36}, {-7, -25}, {-3, -15.5f}, {4.5f, -9.5f}}};
 
 float hash(int x, int z) {
     auto h = static_cast<std::uint32_t>(x) * 0x8DA6B343u ^ static_cast<std::uint32_t>(z) * 0xD8163841u;
@@ -49,12 +49,6 @@ float distance_to_path(glm::vec2 place) {
     return best;
 }
 
-float trodden_at(glm::vec2 place) {
-    if (place.y < kPath.front().y - 10.0f || std::abs(place.x) > 80.0f) return 0.0f;
-    const float ragged = distance_to_path(place) + 1.1f * (smooth_noise(place * 0.9f) - 0.5f);
-    return 1.0f - smooth_step(kPathHalfWidth * 0.35f, kPathHalfWidth * 1.25f, ragged);
-}
-
 glm::vec3 normal_at(float x, float z) {
     const float e = 0.05f;
     return glm::normalize(glm::vec3(ground_height(x - e, z) - ground_height(x + e, z), 2.0f * e,
@@ -62,6 +56,12 @@ glm::vec3 normal_at(float x, float z) {
 }
 
 }  // namespace
+
+float trodden_at(glm::vec2 place) {
+    if (place.y < kPath.front().y - 10.0f || std::abs(place.x) > 80.0f) return 0.0f;
+    const float ragged = distance_to_path(place) + 1.1f * (smooth_noise(place * 0.9f) - 0.5f);
+    return 1.0f - smooth_step(kPathHalfWidth * 0.35f, kPathHalfWidth * 1.25f, ragged);
+}
 
 float smooth_noise(glm::vec2 place) {
     const glm::vec2 cell(std::floor(place.x), std::floor(place.y));
@@ -78,7 +78,7 @@ glm::vec2 path_place(float along) {
     const float scaled = std::clamp(along, 0.0f, 1.0f) * kSpans;
     const int span = std::min(static_cast<int>(scaled), kSpans - 1);
     const float t = scaled - static_cast<float>(span);
-    const auto point = [](int i) { return kPath[static_cast<std::size_t>(std::clamp(i, 0, kSpans))]; };
+    const auto point = [=](int i) { return kPath[static_cast<std::size_t>(std::clamp(i, 0, kSpans))]; };
     const glm::vec2 a = point(span - 1), b = point(span), c = point(span + 1), d = point(span + 2);
     return 0.5f * (2.0f * b + t * (c - a) + t * t * (2.0f * a - 5.0f * b + 4.0f * c - d) +
                    t * t * t * (3.0f * b - 3.0f * c + d - a));
@@ -89,8 +89,8 @@ float ground_height(float x, float z) {
     const float swell = 0.9f * (smooth_noise({x * 0.045f + 7.0f, z * 0.045f}) - 0.5f) +
                         0.30f * (smooth_noise({x * 0.13f, z * 0.13f + 3.0f}) - 0.5f);
     const float rise = smooth_step(16.0f, 130.0f, -z) * 4.2f;
-    const float hills = 46.0f * smooth_noise({x * 0.0062f + 1.7f, z * 0.0075f + 9.2f}) +
-                        14.0f * smooth_noise({x * 0.021f, z * 0.021f});
+    const float hills = 26.0f * smooth_noise({x * 0.0062f + 1.7f, z * 0.0075f + 9.2f}) +
+                        9.0f * smooth_noise({x * 0.021f, z * 0.021f});
     return swell * smooth_step(4.0f, 22.0f, away) * 1.3f + rise + hills * smooth_step(110.0f, 420.0f, away);
 }
 

@@ -26,6 +26,9 @@ float ground_height(float x, float z);
 // Place on the path that the herd follows, `along` 0 (far) .. 1 (near).
 glm::vec2 path_place(float along);
 
+// How bare the ground is: 0 grass .. 1 path.
+float trodden_at(glm::vec2 place);
+
 // Smooth noise of a place, 0..1, with features about one unit wide.
 float smooth_noise(glm::vec2 place);
 

@@ -57,7 +57,7 @@ std::array<Real, 4> value_of(const Animal& animal, const Channel& channel, Real 
     return out;
 }
 
-Matrix34 matrix_of(const glm::dmat4& m) {
+Matrix34 affine_part(const glm::dmat4& m) {
     Matrix34 out;
     for (int r = 0; r < 3; ++r)
         for (int c = 0; c < 4; ++c) out[static_cast<std::size_t>(r * 4 + c)] = m[c][r];
@@ -66,7 +66,7 @@ Matrix34 matrix_of(const glm::dmat4& m) {
 
 Matrix34 local_at(const Animal& animal, const animal::Clip& clip, std::uint32_t node, Real time_s) {
     const animal::Node& source = animal.nodes[node];
-    if (source.has_matrix) return matrix_of(source.matrix);
+    if (source.has_matrix) return affine_part(source.matrix);
     const animal::Transform& rest = source.rest;
     Point t{rest.translation.x, rest.translation.y, rest.translation.z};
     Point s{rest.scale.x, rest.scale.y, rest.scale.z};
@@ -135,7 +135,7 @@ std::array<Real, 4> naive_slerp(std::array<Real, 4> a, std::array<Real, 4> b, Re
 std::vector<Matrix34> naive_bones(const Animal& animal, const animal::Clip& clip, Real time_s) {
     std::vector<Matrix34> bones;
     for (const animal::Bone& bone : animal.bones) {
-        Matrix34 m = matrix_of(bone.inverse_bind);
+        Matrix34 m = affine_part(bone.inverse_bind);
         for (std::uint32_t n = bone.node; n != animal::kNone; n = animal.nodes[n].parent)
             m = multiply(local_at(animal, clip, n, time_s), m);
         bones.push_back(m);

@@ -33,18 +33,18 @@ float cloud_noise(vec2 p) {
 
 vec3 sky_colour(vec3 way) {
     float up = max(way.y, 0.0);
-    vec3 colour = mix(vec3(0.98, 0.80, 0.60), vec3(0.50, 0.69, 0.90), smoothstep(0.0, 0.16, up));
-    colour = mix(colour, vec3(0.19, 0.40, 0.76), smoothstep(0.10, 0.55, up));
     float towards_sun = max(dot(normalize(vec3(way.x, way.y * 0.6, way.z)), to_sun), 0.0);
+    vec3 horizon = mix(vec3(0.70, 0.79, 0.88), vec3(1.10, 0.88, 0.66), smoothstep(-0.3, 0.9, dot(normalize(way.xz), normalize(to_sun.xz))));
+    vec3 colour = mix(horizon, vec3(0.32, 0.57, 0.93), smoothstep(0.0, 0.20, up));
+    colour = mix(colour, vec3(0.11, 0.32, 0.74), smoothstep(0.12, 0.60, up));
     return colour + vec3(0.55, 0.33, 0.12) * pow(towards_sun, 6.0) * 0.5;
 }
 
 vec3 in_haze(vec3 colour, vec3 place) {
     vec3 way = place - eye;
     float away = length(way);
-    way = normalize(vec3(way.x, max(way.y, 0.0) * 0.3, way.z));
-    float thickness = 1.0 - exp(-pow(away / 300.0, 1.35));
-    return mix(colour, sky_colour(way) * vec3(0.92, 0.96, 1.02), thickness);
+    float thickness = 1.0 - exp(-pow(away / 420.0, 1.3));
+    return mix(colour, sky_colour(normalize(vec3(way.x, 0.0, way.z))), thickness);
 }
 
 // Share of the sun that reaches a place: a soft filter over the depth map.

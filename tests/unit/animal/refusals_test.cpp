@@ -148,76 +148,77 @@ void matrix_on_animated_node(GlbBuilder& glb) {
 const std::vector<Refusal>& structure_refusals() {
     static const std::vector<Refusal> rows{
         {"mesh without primitives", IssueCode::glb_schema,
-         [](auto& g) { g.document["meshes"][0].erase("primitives"); }},
-        {"nodes is a number", IssueCode::glb_schema, [](auto& g) { g.document["nodes"] = 5; }},
+         [](GlbBuilder& g) { g.document["meshes"][0].erase("primitives"); }},
+        {"nodes is a number", IssueCode::glb_schema, [](GlbBuilder& g) { g.document["nodes"] = 5; }},
         {"rotation of three numbers", IssueCode::glb_schema,
-         [](auto& g) {
+         [](GlbBuilder& g) {
              g.document["nodes"][0]["rotation"] = {0, 0, 1};
          }},
         {"buffer uri", IssueCode::glb_uri,
-         [](auto& g) { g.document["buffers"][0]["uri"] = "../secret.bin"; }},
+         [](GlbBuilder& g) { g.document["buffers"][0]["uri"] = "../secret.bin"; }},
         {"buffer data uri", IssueCode::glb_uri,
-         [](auto& g) { g.document["buffers"][0]["uri"] = "data:application/octet-stream;base64,AAAA"; }},
+         [](GlbBuilder& g) {
+             g.document["buffers"][0]["uri"] = "data:application/octet-stream;base64,AAAA";
+         }},
         {"unknown required extension", IssueCode::glb_extension,
-         [](auto& g) { g.document["extensionsRequired"] = {"EXT_nobody_knows"}; }},
+         [](GlbBuilder& g) { g.document["extensionsRequired"] = {"EXT_nobody_knows"}; }},
         {"child does not exist", IssueCode::glb_reference,
-         [](auto& g) { g.document["nodes"][4]["children"] = {99}; }},
-        {"cycle", IssueCode::glb_node_loop, [](auto& g) { g.document["nodes"][4]["children"] = {0}; }},
-        {"own child", IssueCode::glb_node_loop, [](auto& g) { g.document["nodes"][4]["children"] = {4}; }},
+         [](GlbBuilder& g) { g.document["nodes"][4]["children"] = {99}; }},
+        {"cycle", IssueCode::glb_node_loop, [](GlbBuilder& g) { g.document["nodes"][4]["children"] = {0}; }},
+        {"own child", IssueCode::glb_node_loop,
+         [](GlbBuilder& g) { g.document["nodes"][4]["children"] = {4}; }},
         {"two parents", IssueCode::glb_node_loop,
-         [](auto& g) {
+         [](GlbBuilder& g) {
              g.document["nodes"][0]["children"] = {1, 3};
          }},
-        {"chain of 4,098 nodes", IssueCode::lim_node_depth, [](auto& g) { chain_of_nodes(g, 4098); }},
+        {"chain of 4,098 nodes", IssueCode::lim_node_depth, [](GlbBuilder& g) { chain_of_nodes(g, 4098); }},
         {"65,537 nodes", IssueCode::lim_count,
-         [](auto& g) { g.document["nodes"].get_ref<Json::array_t&>().resize(65'537, Json::object()); }},
+         [](GlbBuilder& g) { g.document["nodes"].get_ref<Json::array_t&>().resize(65'537, Json::object()); }},
         {"zero rotation", IssueCode::glb_quat,
-         [](auto& g) {
+         [](GlbBuilder& g) {
              g.document["nodes"][0]["rotation"] = {0, 0, 0, 0};
          }},
         {"matrix with a perspective row", IssueCode::glb_ibm,
-         [](auto& g) {
+         [](GlbBuilder& g) {
              g.document["nodes"][2]["matrix"] = {1, 0, 0, 0.5, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
          }},
         {"name of 256 bytes", IssueCode::lim_string,
-         [](auto& g) { g.document["nodes"][1]["name"] = std::string(256, 'n'); }},
+         [](GlbBuilder& g) { g.document["nodes"][1]["name"] = std::string(256, 'n'); }},
         {"mesh does not exist", IssueCode::glb_reference,
-         [](auto& g) { g.document["nodes"][5]["mesh"] = 9; }},
+         [](GlbBuilder& g) { g.document["nodes"][5]["mesh"] = 9; }},
         {"skin does not exist", IssueCode::glb_reference,
-         [](auto& g) { g.document["nodes"][5]["skin"] = 9; }},
+         [](GlbBuilder& g) { g.document["nodes"][5]["skin"] = 9; }},
         {"joint does not exist", IssueCode::glb_skin_joint,
-         [](auto& g) { g.document["skins"][0]["joints"][2] = g.document["nodes"].size(); }},
+         [](GlbBuilder& g) { g.document["skins"][0]["joints"][2] = g.document["nodes"].size(); }},
         {"no joints", IssueCode::glb_skin_joint,
-         [](auto& g) { g.document["skins"][0]["joints"] = Json::array(); }},
-        {"1,025 bones", IssueCode::lim_bones, [](auto& g) { many_bones(g, 1025); }},
+         [](GlbBuilder& g) { g.document["skins"][0]["joints"] = Json::array(); }},
+        {"1,025 bones", IssueCode::lim_bones, [](GlbBuilder& g) { many_bones(g, 1025); }},
         {"one inverse bind too few", IssueCode::glb_ibm_count,
-         [](auto& g) {
-             g.document["accessors"]
-                       [g.document["skins"][0]["inverseBindMatrices"].template get<std::size_t>()]["count"] =
-                 2;
+         [](GlbBuilder& g) {
+             g.document["accessors"][g.document["skins"][0]["inverseBindMatrices"].get<std::size_t>()]
+                       ["count"] = 2;
          }},
         {"inverse bind not affine", IssueCode::glb_ibm,
-         [](auto& g) {
-             g.set(g.document["accessors"]
-                             [g.document["skins"][0]["inverseBindMatrices"].template get<std::size_t>()],
+         [](GlbBuilder& g) {
+             g.set(g.document["accessors"][g.document["skins"][0]["inverseBindMatrices"].get<std::size_t>()],
                    15, 0.5f);
          }},
         {"inverse bind is NaN", IssueCode::glb_number,
-         [](auto& g) {
-             g.set(g.document["accessors"]
-                             [g.document["skins"][0]["inverseBindMatrices"].template get<std::size_t>()],
+         [](GlbBuilder& g) {
+             g.set(g.document["accessors"][g.document["skins"][0]["inverseBindMatrices"].get<std::size_t>()],
                    12, kNan);
          }},
-        {"no skin is used", IssueCode::glb_no_skin, [](auto& g) { g.document["nodes"][5].erase("skin"); }},
+        {"no skin is used", IssueCode::glb_no_skin,
+         [](GlbBuilder& g) { g.document["nodes"][5].erase("skin"); }},
         {"no vertex has joints", IssueCode::glb_no_skin,
-         [](auto& g) { g.document["meshes"][0]["primitives"][0]["attributes"].erase("JOINTS_0"); }},
-        {"no animations", IssueCode::glb_no_animation, [](auto& g) { g.document.erase("animations"); }},
+         [](GlbBuilder& g) { g.document["meshes"][0]["primitives"][0]["attributes"].erase("JOINTS_0"); }},
+        {"no animations", IssueCode::glb_no_animation, [](GlbBuilder& g) { g.document.erase("animations"); }},
         {"animations without channels", IssueCode::glb_no_animation,
-         [](auto& g) {
+         [](GlbBuilder& g) {
              for (Json& a : g.document["animations"]) a["channels"] = Json::array();
          }},
         {"morph targets only", IssueCode::glb_morph_only,
-         [](auto& g) {
+         [](GlbBuilder& g) {
              for (Json& a : g.document["animations"])
                  for (Json& c : a["channels"]) c["target"]["path"] = "weights";
          }},
@@ -228,86 +229,86 @@ const std::vector<Refusal>& structure_refusals() {
 const std::vector<Refusal>& accessor_refusals() {
     static const std::vector<Refusal> rows{
         {"accessor does not exist", IssueCode::glb_reference,
-         [](auto& g) { g.document["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = 999; }},
+         [](GlbBuilder& g) { g.document["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = 999; }},
         {"weights do not exist", IssueCode::glb_reference,
-         [](auto& g) { g.document["meshes"][0]["primitives"][0]["attributes"].erase("WEIGHTS_0"); }},
+         [](GlbBuilder& g) { g.document["meshes"][0]["primitives"][0]["attributes"].erase("WEIGHTS_0"); }},
         {"buffer view does not exist", IssueCode::glb_reference,
-         [](auto& g) { g.attribute(0, "POSITION")["bufferView"] = 999; }},
+         [](GlbBuilder& g) { g.attribute(0, "POSITION")["bufferView"] = 999; }},
         {"buffer does not exist", IssueCode::glb_reference,
-         [](auto& g) { g.document["bufferViews"][0]["buffer"] = 3; }},
+         [](GlbBuilder& g) { g.document["bufferViews"][0]["buffer"] = 3; }},
         {"view ends one byte past the buffer", IssueCode::glb_view_range,
-         [](auto& g) {
+         [](GlbBuilder& g) {
              Json& view = g.document["bufferViews"][0];
-             view["byteLength"] =
-                 (g.bin.size() + 3) / 4 * 4 - view["byteOffset"].template get<std::size_t>() + 1;
+             view["byteLength"] = (g.bin.size() + 3) / 4 * 4 - view["byteOffset"].get<std::size_t>() + 1;
          }},
         {"last element ends past the view", IssueCode::glb_accessor_range,
-         [](auto& g) { g.attribute(0, "POSITION")["count"] = 13; }},
+         [](GlbBuilder& g) { g.attribute(0, "POSITION")["count"] = 13; }},
         {"offset past the view", IssueCode::glb_accessor_range,
-         [](auto& g) { g.attribute(0, "POSITION")["byteOffset"] = 4; }},
+         [](GlbBuilder& g) { g.attribute(0, "POSITION")["byteOffset"] = 4; }},
         {"count whose size wraps", IssueCode::glb_accessor_range,
-         [](auto& g) { g.attribute(0, "POSITION")["count"] = 4611686018427387904u; }},
+         [](GlbBuilder& g) { g.attribute(0, "POSITION")["count"] = 4611686018427387904u; }},
         {"stride shorter than an element", IssueCode::glb_accessor_range,
-         [](auto& g) { g.document["bufferViews"][0]["byteStride"] = 8; }},
-        {"no elements", IssueCode::glb_accessor_count, [](auto& g) { g.times(0, 0)["count"] = 0; }},
+         [](GlbBuilder& g) { g.document["bufferViews"][0]["byteStride"] = 8; }},
+        {"no elements", IssueCode::glb_accessor_count, [](GlbBuilder& g) { g.times(0, 0)["count"] = 0; }},
         {"fewer normals than positions", IssueCode::glb_accessor_count,
-         [](auto& g) { g.attribute(0, "NORMAL")["count"] = 11; }},
+         [](GlbBuilder& g) { g.attribute(0, "NORMAL")["count"] = 11; }},
         {"fewer joints than positions", IssueCode::glb_accessor_count,
-         [](auto& g) { g.attribute(0, "JOINTS_0")["count"] = 11; }},
+         [](GlbBuilder& g) { g.attribute(0, "JOINTS_0")["count"] = 11; }},
         {"fewer weights than positions", IssueCode::glb_accessor_count,
-         [](auto& g) { g.attribute(0, "WEIGHTS_0")["count"] = 11; }},
+         [](GlbBuilder& g) { g.attribute(0, "WEIGHTS_0")["count"] = 11; }},
         {"fewer values than keys", IssueCode::glb_accessor_count,
-         [](auto& g) { g.values(0, 0)["count"] = 12; }},
+         [](GlbBuilder& g) { g.values(0, 0)["count"] = 12; }},
         {"spline without tangents", IssueCode::glb_accessor_count,
-         [](auto& g) { g.values(1, 0)["count"] = 3; }},
+         [](GlbBuilder& g) { g.values(1, 0)["count"] = 3; }},
         {"positions are VEC2", IssueCode::glb_accessor_type,
-         [](auto& g) { g.attribute(0, "POSITION")["type"] = "VEC2"; }},
+         [](GlbBuilder& g) { g.attribute(0, "POSITION")["type"] = "VEC2"; }},
         {"joints are floats", IssueCode::glb_accessor_type,
-         [](auto& g) { g.attribute(0, "JOINTS_0")["componentType"] = support::kF32; }},
+         [](GlbBuilder& g) { g.attribute(0, "JOINTS_0")["componentType"] = support::kF32; }},
         {"joints are bytes with a sign", IssueCode::glb_accessor_type,
-         [](auto& g) { g.attribute(0, "JOINTS_0")["componentType"] = support::kI8; }},
-        {"times are VEC3", IssueCode::glb_accessor_type, [](auto& g) { g.times(0, 0)["type"] = "VEC3"; }},
+         [](GlbBuilder& g) { g.attribute(0, "JOINTS_0")["componentType"] = support::kI8; }},
+        {"times are VEC3", IssueCode::glb_accessor_type,
+         [](GlbBuilder& g) { g.times(0, 0)["type"] = "VEC3"; }},
         {"times are integers", IssueCode::glb_accessor_type,
-         [](auto& g) { g.times(0, 0)["componentType"] = support::kU16; }},
+         [](GlbBuilder& g) { g.times(0, 0)["componentType"] = support::kU16; }},
         {"rotations are VEC3", IssueCode::glb_accessor_type,
-         [](auto& g) { g.values(0, 0)["type"] = "VEC3"; }},
+         [](GlbBuilder& g) { g.values(0, 0)["type"] = "VEC3"; }},
         {"position is NaN", IssueCode::glb_number,
-         [](auto& g) { g.set(g.attribute(0, "POSITION"), 5, kNan); }},
+         [](GlbBuilder& g) { g.set(g.attribute(0, "POSITION"), 5, kNan); }},
         {"normal is infinite", IssueCode::glb_number,
-         [](auto& g) { g.set(g.attribute(0, "NORMAL"), 2, kInfinity); }},
+         [](GlbBuilder& g) { g.set(g.attribute(0, "NORMAL"), 2, kInfinity); }},
         {"sparse index equal to the count", IssueCode::glb_sparse,
-         [](auto& g) {
+         [](GlbBuilder& g) {
              g.attribute(0, "POSITION")["sparse"] = sparse_of(g, {3, 12}, 2);
          }},
         {"sparse indices fall", IssueCode::glb_sparse,
-         [](auto& g) {
+         [](GlbBuilder& g) {
              g.attribute(0, "POSITION")["sparse"] = sparse_of(g, {4, 3}, 2);
          }},
         {"sparse indices repeat", IssueCode::glb_sparse,
-         [](auto& g) {
+         [](GlbBuilder& g) {
              g.attribute(0, "POSITION")["sparse"] = sparse_of(g, {4, 4}, 2);
          }},
         {"more sparse values than elements", IssueCode::glb_sparse,
-         [](auto& g) {
+         [](GlbBuilder& g) {
              g.attribute(0, "POSITION")["sparse"] = sparse_of(g, std::vector<std::uint16_t>(13), 13);
          }},
         {"sparse indices are floats", IssueCode::glb_sparse,
-         [](auto& g) {
+         [](GlbBuilder& g) {
              Json sparse = sparse_of(g, {1, 2}, 1);
              sparse["indices"]["componentType"] = support::kF32;
              g.attribute(0, "POSITION")["sparse"] = sparse;
          }},
         {"sparse indices leave their view", IssueCode::glb_accessor_range,
-         [](auto& g) {
+         [](GlbBuilder& g) {
              g.attribute(0, "POSITION")["sparse"] = sparse_of(g, {1, 2}, 3);
          }},
         {"zeros of 16,000,000 matrices", IssueCode::lim_decoded,
-         [](auto& g) {
+         [](GlbBuilder& g) {
              g.document["skins"][0]["inverseBindMatrices"] =
                  g.add_accessor(-1, 0, support::kF32, 16'000'000, "MAT4");
          }},
         {"joint index out of range", IssueCode::glb_joint_index,
-         [](auto& g) { g.set(g.attribute(0, "JOINTS_0"), 0, std::uint16_t{3}); }},
+         [](GlbBuilder& g) { g.set(g.attribute(0, "JOINTS_0"), 0, std::uint16_t{3}); }},
     };
     return rows;
 }
@@ -315,24 +316,26 @@ const std::vector<Refusal>& accessor_refusals() {
 const std::vector<Refusal>& clip_refusals() {
     static const std::vector<Refusal> rows{
         {"target node does not exist", IssueCode::glb_reference,
-         [](auto& g) { g.document["animations"][0]["channels"][0]["target"]["node"] = 99; }},
+         [](GlbBuilder& g) { g.document["animations"][0]["channels"][0]["target"]["node"] = 99; }},
         {"sampler does not exist", IssueCode::glb_channel,
-         [](auto& g) { g.document["animations"][0]["channels"][0]["sampler"] = 9; }},
+         [](GlbBuilder& g) { g.document["animations"][0]["channels"][0]["sampler"] = 9; }},
         {"unknown interpolation", IssueCode::glb_channel,
-         [](auto& g) { g.document["animations"][0]["samplers"][0]["interpolation"] = "BOUNCE"; }},
+         [](GlbBuilder& g) { g.document["animations"][0]["samplers"][0]["interpolation"] = "BOUNCE"; }},
         {"node with a matrix moves", IssueCode::glb_channel, matrix_on_animated_node},
-        {"times fall", IssueCode::glb_times, [](auto& g) { g.set(g.times(0, 0), 3, 0.01f); }},
-        {"times begin below zero", IssueCode::glb_times, [](auto& g) { g.set(g.times(0, 0), 0, -0.5f); }},
-        {"time is NaN", IssueCode::glb_number, [](auto& g) { g.set(g.times(0, 0), 3, kNan); }},
-        {"time is infinite", IssueCode::glb_number, [](auto& g) { g.set(g.times(0, 0), 12, kInfinity); }},
-        {"value is NaN", IssueCode::glb_number, [](auto& g) { g.set(g.values(1, 0), 5, kNan); }},
+        {"times fall", IssueCode::glb_times, [](GlbBuilder& g) { g.set(g.times(0, 0), 3, 0.01f); }},
+        {"times begin below zero", IssueCode::glb_times,
+         [](GlbBuilder& g) { g.set(g.times(0, 0), 0, -0.5f); }},
+        {"time is NaN", IssueCode::glb_number, [](GlbBuilder& g) { g.set(g.times(0, 0), 3, kNan); }},
+        {"time is infinite", IssueCode::glb_number,
+         [](GlbBuilder& g) { g.set(g.times(0, 0), 12, kInfinity); }},
+        {"value is NaN", IssueCode::glb_number, [](GlbBuilder& g) { g.set(g.values(1, 0), 5, kNan); }},
         {"rotation key is zero", IssueCode::glb_quat,
-         [](auto& g) {
+         [](GlbBuilder& g) {
              for (std::size_t c = 0; c < 4; ++c) g.set(g.values(0, 0), 8 + c, 0.0f);
          }},
-        {"clip of 601 s", IssueCode::lim_duration, [](auto& g) { g.set(g.times(0, 0), 12, 601.0f); }},
+        {"clip of 601 s", IssueCode::lim_duration, [](GlbBuilder& g) { g.set(g.times(0, 0), 12, 601.0f); }},
         {"clip name of 256 bytes", IssueCode::lim_string,
-         [](auto& g) { g.document["animations"][0]["name"] = std::string(256, 'n'); }},
+         [](GlbBuilder& g) { g.document["animations"][0]["name"] = std::string(256, 'n'); }},
     };
     return rows;
 }
@@ -341,15 +344,15 @@ const std::vector<Refusal>& clip_refusals() {
 const std::vector<Refusal>& strict_refusals() {
     static const std::vector<Refusal> rows{
         {"weight is NaN", IssueCode::glb_weights,
-         [](auto& g) { g.set(g.attribute(0, "WEIGHTS_0"), 1, kNan); }},
+         [](GlbBuilder& g) { g.set(g.attribute(0, "WEIGHTS_0"), 1, kNan); }},
         {"weight is negative", IssueCode::glb_weights,
-         [](auto& g) { g.set(g.attribute(0, "WEIGHTS_0"), 1, -0.1f); }},
+         [](GlbBuilder& g) { g.set(g.attribute(0, "WEIGHTS_0"), 1, -0.1f); }},
         {"weights sum to 0.6", IssueCode::glb_weights,
-         [](auto& g) { g.set(g.attribute(0, "WEIGHTS_0"), 0, 0.6f); }},
+         [](GlbBuilder& g) { g.set(g.attribute(0, "WEIGHTS_0"), 0, 0.6f); }},
         {"vertex without weights", IssueCode::glb_weights,
-         [](auto& g) { g.set(g.attribute(0, "WEIGHTS_0"), 0, 0.0f); }},
+         [](GlbBuilder& g) { g.set(g.attribute(0, "WEIGHTS_0"), 0, 0.0f); }},
         {"more than four influences", IssueCode::glb_weights,
-         [](auto& g) {
+         [](GlbBuilder& g) {
              support::Json joints = Json::array();
              for (int i = 0; i < 3; ++i) joints.push_back(g.add("nodes", Json::object()));
              for (const Json& joint : joints) g.document["skins"][0]["joints"].push_back(joint);
@@ -365,19 +368,19 @@ const std::vector<Refusal>& strict_refusals() {
              attributes["JOINTS_1"] = g.add_values(more, "VEC4");
              attributes["WEIGHTS_1"] = g.add_values(weights, "VEC4");
          }},
-        {"two keys at one time", IssueCode::glb_times, [](auto& g) { g.set(g.times(0, 0), 1, 0.0f); }},
+        {"two keys at one time", IssueCode::glb_times, [](GlbBuilder& g) { g.set(g.times(0, 0), 1, 0.0f); }},
         {"two keys within a microsecond", IssueCode::glb_times,
-         [](auto& g) { g.set(g.times(0, 0), 1, 5e-7f); }},
+         [](GlbBuilder& g) { g.set(g.times(0, 0), 1, 5e-7f); }},
         {"rotation key of length 2", IssueCode::glb_quat,
-         [](auto& g) {
+         [](GlbBuilder& g) {
              for (std::size_t c = 0; c < 4; ++c) g.set(g.values(0, 0), 8 + c, 1.0f);
          }},
         {"node rotation of length 2", IssueCode::glb_quat,
-         [](auto& g) {
+         [](GlbBuilder& g) {
              g.document["nodes"][0]["rotation"] = {1, 1, 1, 1};
          }},
         {"two channels on one target", IssueCode::glb_channel,
-         [](auto& g) {
+         [](GlbBuilder& g) {
              support::Json& channels = g.document["animations"][0]["channels"];
              channels.push_back(channels[0]);
          }},
@@ -438,6 +441,7 @@ TEST(Refusals, EveryCodeOfTheRoomIsTested) {
     std::size_t looked_at = 0;
     for (const base::IssueKind& kind : base::issue_kinds()) {
         if (!kind.id.starts_with("E-GLB-")) continue;
+        if (kind.code == IssueCode::glb_no_extent) continue;  // given by the baker, which knows the rest pose
         ++looked_at;
         EXPECT_TRUE(given.contains(kind.code)) << kind.id;
     }
