@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kMaxColours = 256;
 constexpr int kRounds = 8;
 // How much farther than the nearest a neighbour's colour may be: squared steps of 255.
-constexpr int kNeighbourSlack = 6;
+constexpr int kNeighbourSlack = 10;
 
 struct Shade {
     Rgb colour{};

@@ -156,12 +156,12 @@ class Composer {
 
     // Wolves cut some goats off from the herd and drive them to the right.
     void chase() {
-        for (int attempt = 0; attempt < 14; ++attempt) {
-            const glm::vec2 place(dice_.between(4.2f, 8.6f), dice_.around(-25.5f, 3.2f));
-            if (!room_.claim(place, 1.35f)) continue;
+        for (const glm::vec2 place :
+             {glm::vec2(2.9f, -21.5f), {5.6f, -25.0f}, {6.5f, -21.0f}, {9.3f, -24.0f}}) {
             Instance out{on_ground(place), heading_of({1.0f, 0.12f}) + dice_.around(0.0f, 0.2f), 1.15f};
             out.tint = glm::vec3(dice_.between(0.75f, 1.15f));
             add(wolf, "Gallop", out);
+            room_.claim(place, 1.3f);
         }
         for (int attempt = 0; attempt < 160; ++attempt) {
             const glm::vec2 place(dice_.between(9.8f, 22.0f), dice_.around(-26.0f, 6.0f));
