@@ -32,7 +32,5 @@ target_compile_options(posepack_c_flags INTERFACE -Wconversion)
 
 add_library(posepack_cxx_flags INTERFACE)
 target_link_libraries(posepack_cxx_flags INTERFACE posepack_common_flags)
-if(POSEPACK_WARNINGS_AS_ERRORS)
-    # g++ 12 sees overlapping copies in std::string concatenation that are not there. clang lacks the warning.
-    target_compile_options(posepack_cxx_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
-endif()
+# g++ 12 sees overlapping copies in std::string concatenation that are not there. clang lacks the warning.
+target_compile_options(posepack_cxx_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
