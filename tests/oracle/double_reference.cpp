@@ -60,6 +60,7 @@ std::string variable(const char* name) {
 void run_posepack(const std::string& exe, std::vector<std::string> args) {
     args.insert(args.begin(), {exe, "--quiet"});
     std::vector<char*> argv;
+    argv.reserve(args.size() + 1);
     for (std::string& arg : args) argv.push_back(arg.data());
     argv.push_back(nullptr);
     posix_spawn_file_actions_t actions;

@@ -51,9 +51,9 @@ Number number_at(const std::string& bytes, std::size_t at) {
 }
 
 std::size_t width_of(const std::string& type) {
-    static const std::map<std::string, std::size_t> widths{
+    static const std::map<std::string, std::size_t> kWidths{
         {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT4", 16}};
-    return widths.at(type);
+    return kWidths.at(type);
 }
 
 Affine affine_of_columns(const std::vector<double>& numbers, std::size_t first) {

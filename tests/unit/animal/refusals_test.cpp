@@ -147,9 +147,15 @@ void matrix_on_animated_node(GlbBuilder& glb) {
 
 const std::vector<Refusal>& structure_refusals() {
     static const std::vector<Refusal> rows{
-        {"mesh without primitives", IssueCode::glb_schema,
+        {"mesh without primitives", IssueCode::glb_no_skin,
          [](GlbBuilder& g) { g.document["meshes"][0].erase("primitives"); }},
-        {"nodes is a number", IssueCode::glb_schema, [](GlbBuilder& g) { g.document["nodes"] = 5; }},
+        {"accessor without a type", IssueCode::glb_schema,
+         [](GlbBuilder& g) { g.attribute(0, "POSITION").erase("type"); }},
+        {"accessors of numbers", IssueCode::glb_schema,
+         [](GlbBuilder& g) {
+             g.document["accessors"] = {1, 2};
+         }},
+        {"nodes is a number", IssueCode::glb_reference, [](GlbBuilder& g) { g.document["nodes"] = 5; }},
         {"rotation of three numbers", IssueCode::glb_schema,
          [](GlbBuilder& g) {
              g.document["nodes"][0]["rotation"] = {0, 0, 1};

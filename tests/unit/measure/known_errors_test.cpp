@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "measure/decode_cost.hpp"
 #include "measure/measure_error.hpp"
@@ -32,8 +33,8 @@ Measured measured(const ModelSpec& spec, const recipe::OutputOptions& output = s
                  {}};
     auto stats = measure_error(animal, out.baked.palette, out.baked.container, motion::unique_points(animal),
                                motion::unique_normals(animal));
-    EXPECT_TRUE(stats);
-    if (stats) out.stats = stats.value();
+    if (!stats) throw std::runtime_error(base::format_issue(stats.issue()));
+    out.stats = std::move(stats).value();
     return out;
 }
 

@@ -69,7 +69,8 @@ TEST_F(Container, Header) {
 TEST_F(Container, Clips) {
     ASSERT_EQ(opened, POSEPACK_OK);
     const char* const names[] = {"Wag", "Hop", "Blink"};
-    const std::uint8_t wraps[] = {POSEPACK_WRAP_LOOP, POSEPACK_WRAP_ONCE, POSEPACK_WRAP_ONCE};
+    const std::uint8_t wraps[] = {POSEPACK_WRAP_LOOP, POSEPACK_WRAP_ONCE, POSEPACK_WRAP_LOOP};
+    const std::uint8_t seams[] = {POSEPACK_SEAM_CLOSED, POSEPACK_SEAM_CLOSED, POSEPACK_SEAM_OPEN};
     for (std::uint32_t c = 0; c < 3; ++c) {
         const motion::RowPlan& plan = palette.clips[c].plan;
         posepack_clip clip;
@@ -78,7 +79,7 @@ TEST_F(Container, Clips) {
         EXPECT_EQ(text(clip.source_name), std::string("Rig|") + names[c]);
         EXPECT_EQ(clip.encoding, POSEPACK_ENCODING_AFFINE);
         EXPECT_EQ(clip.wrap, wraps[c]) << names[c];
-        EXPECT_EQ(clip.seam, POSEPACK_SEAM_CLOSED);
+        EXPECT_EQ(clip.seam, seams[c]) << names[c];
         EXPECT_EQ(clip.closing_row, 0);
         EXPECT_EQ(clip.interpolation, c == 2 ? POSEPACK_INTERPOLATION_STEP : POSEPACK_INTERPOLATION_LINEAR);
         EXPECT_EQ(clip.measured, 0);

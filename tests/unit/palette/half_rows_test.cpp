@@ -33,7 +33,8 @@ TEST(HalfRows, HardwareAndSoftwareAgree) {
                  {0u, 1u, 0x0FFFu, 0x1000u, 0x1001u, 0x2FFFu, 0x3000u, 0x7FEFFFu, 0x7FF000u, 0x7FFFFFu})
                 values.push_back(std::bit_cast<float>(sign | exponent << 23 | mantissa));
             for (int i = 0; i < 40; ++i)
-                values.push_back(std::bit_cast<float>(sign | exponent << 23 | (random() & 0x7FFFFFu)));
+                values.push_back(std::bit_cast<float>(sign | exponent << 23 |
+                                                      (static_cast<std::uint32_t>(random()) & 0x7FFFFFu)));
         }
     values.push_back(HUGE_VALF);
     values.push_back(-HUGE_VALF);
