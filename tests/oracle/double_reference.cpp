@@ -157,7 +157,7 @@ int compare_catalog(const Options& options, const fs::path& models, const fs::pa
                "max / R", "roundings");
     for (const auto& [id, model] : animals)
         account(id, compare_files(models / model, folder / (id + ".posepack")), total);
-    if (total.matrices == 0) total.faults.push_back("expected matrices to compare, found none");
+    if (total.matrices == 0) total.faults.emplace_back("expected matrices to compare, found none");
     fmt::print(
         "compared {} files, {} clips, {} rows, {} matrices ({}, RGBA32F); largest difference {:.2e} R ({})\n",
         animals.size(), total.clips, total.rows, total.matrices, options.at("encoding"), total.error,

@@ -195,7 +195,7 @@ class Composer {
     }
 
     void plant() {
-        for (int attempt = 0; attempt < 9000; ++attempt) {
+        for (int attempt = 0; attempt < 7400; ++attempt) {
             const float away = 4.0f + 24.0f * dice_.share() * dice_.share();
             const glm::vec2 place(dice_.between(-0.66f, 0.66f) * (away + 2.0f), -away);
             if (smooth_noise(place * 0.55f) < dice_.between(0.45f, 0.8f) || trodden_at(place) > 0.3f)

@@ -168,6 +168,13 @@ const std::vector<Refusal>& structure_refusals() {
          }},
         {"unknown required extension", IssueCode::glb_extension,
          [](GlbBuilder& g) { g.document["extensionsRequired"] = {"EXT_nobody_knows"}; }},
+        {"Draco primitive with empty accessors", IssueCode::glb_extension,
+         [](GlbBuilder& g) {
+             Json& primitive = g.document["meshes"][0]["primitives"][0];
+             primitive["extensions"]["KHR_draco_mesh_compression"] = {{"bufferView", 0},
+                                                                      {"attributes", {{"POSITION", 0}}}};
+             g.attribute(0, "POSITION").erase("bufferView");
+         }},
         {"child does not exist", IssueCode::glb_reference,
          [](GlbBuilder& g) { g.document["nodes"][4]["children"] = {99}; }},
         {"cycle", IssueCode::glb_node_loop, [](GlbBuilder& g) { g.document["nodes"][4]["children"] = {0}; }},

@@ -26,6 +26,7 @@ class Container : public testing::Test {
         palette.default_state = 0;
         palette.forward = recipe::ForwardAxis::minus_x;
         palette.metres_per_unit = 0.01;
+        palette.clips[2].plan.seam = recipe::Seam::open;
         palette.clips[0].speed_mps = 1.5;
         palette.clips[0].stride_phase = 0.25;
         bytes = write_container(animal, palette, kRecipe);
