@@ -75,7 +75,8 @@ class GlbBuilder {
     template <class T>
     void set(const Json& accessor, std::size_t index, T value) {
         const Json& view = document.at("bufferViews").at(accessor.at("bufferView").get<std::size_t>());
-        std::memcpy(&bin.at(view.at("byteOffset").get<std::size_t>() + index * sizeof(T)), &value, sizeof value);
+        std::memcpy(&bin.at(view.at("byteOffset").get<std::size_t>() + index * sizeof(T)), &value,
+                    sizeof value);
     }
 
     // The file; the length of the buffer is filled in where the document has a buffer without one.
