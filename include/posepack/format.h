@@ -35,7 +35,8 @@
 #define POSEPACK_MIXED 255u       /* header encoding and row scheme where clips differ */
 
 /* The first 16 bytes (magic, major, minor, header_bytes) never change. */
-#define POSEPACK_MAGIC_BYTES {0x8B, 'P', 'P', 'K', 0x0D, 0x0A, 0x1A, 0x0A}
+#define POSEPACK_MAGIC_BYTES \
+    { 0x8B, 'P', 'P', 'K', 0x0D, 0x0A, 0x1A, 0x0A }
 
 /* Header. */
 #define POSEPACK_HEADER_BYTES 128u
@@ -100,15 +101,15 @@
 
 /* Section table entry. Type: four ASCII letters, the first letter in the lowest byte. */
 #define POSEPACK_ENTRY_BYTES 48u
-#define POSEPACK_ENT_TYPE 0         /* u32 */
-#define POSEPACK_ENT_FLAGS 4        /* u32: low 4 bits codec, the rest zero */
-#define POSEPACK_ENT_OFFSET 8       /* u64 */
+#define POSEPACK_ENT_TYPE 0          /* u32 */
+#define POSEPACK_ENT_FLAGS 4         /* u32: low 4 bits codec, the rest zero */
+#define POSEPACK_ENT_OFFSET 8        /* u64 */
 #define POSEPACK_ENT_STORED_BYTES 16 /* u64 */
-#define POSEPACK_ENT_RAW_BYTES 24   /* u64 */
-#define POSEPACK_ENT_ALIGN_LOG2 32  /* u32 */
-#define POSEPACK_ENT_CRC 36         /* u32: CRC-32C of the stored bytes  */
-#define POSEPACK_ENT_RAW_CRC 40     /* u32: CRC-32C of the decoded bytes */
-#define POSEPACK_ENT_RESERVED 44    /* u32, zero */
+#define POSEPACK_ENT_RAW_BYTES 24    /* u64 */
+#define POSEPACK_ENT_ALIGN_LOG2 32   /* u32 */
+#define POSEPACK_ENT_CRC 36          /* u32: CRC-32C of the stored bytes  */
+#define POSEPACK_ENT_RAW_CRC 40      /* u32: CRC-32C of the decoded bytes */
+#define POSEPACK_ENT_RESERVED 44     /* u32, zero */
 
 #define POSEPACK_FOURCC(a, b, c, d) \
     ((unsigned)(a) | ((unsigned)(b) << 8) | ((unsigned)(c) << 16) | ((unsigned)(d) << 24))
@@ -120,7 +121,7 @@
 #define POSEPACK_SECTION_PIXL POSEPACK_FOURCC('P', 'I', 'X', 'L')
 #define POSEPACK_SECTION_PROV POSEPACK_FOURCC('p', 'r', 'o', 'v')
 
-#define POSEPACK_TABLE_ALIGN_LOG2 3u  /* every section but PIXL */
+#define POSEPACK_TABLE_ALIGN_LOG2 3u /* every section but PIXL */
 #define POSEPACK_PIXL_ALIGN_LOG2 12u
 
 #define POSEPACK_CODEC_NONE 0u
@@ -134,50 +135,50 @@
 #define POSEPACK_CLIP_HEAD_CUT_COUNT 8    /* u32 */
 #define POSEPACK_CLIP_HEAD_RESERVED 12    /* u32, zero */
 #define POSEPACK_CLIP_RECORD_BYTES 192u
-#define POSEPACK_CLIP_NAME 0                  /* u32 string */
-#define POSEPACK_CLIP_SOURCE_NAME 4           /* u32 string: the glTF name, verbatim */
-#define POSEPACK_CLIP_ENCODING 8              /* u8 */
-#define POSEPACK_CLIP_TEXELS_PER_BONE 9       /* u8 */
-#define POSEPACK_CLIP_ROW_SCHEME 10           /* u8 */
-#define POSEPACK_CLIP_WRAP 11                 /* u8 */
-#define POSEPACK_CLIP_SEAM 12                 /* u8 */
-#define POSEPACK_CLIP_CLOSING_ROW 13          /* u8: 0 or 1 */
-#define POSEPACK_CLIP_INTERPOLATION 14        /* u8 */
-#define POSEPACK_CLIP_FLAGS 15                /* u8 */
-#define POSEPACK_CLIP_FIRST_ROW 16            /* u32 */
-#define POSEPACK_CLIP_ROW_COUNT 20            /* u32 */
-#define POSEPACK_CLIP_FIRST_TEXEL 24          /* u32: texels before the clip in its pixel section */
-#define POSEPACK_CLIP_FIRST_CUT 28            /* u32 index into the cut rows */
-#define POSEPACK_CLIP_CUT_COUNT 32            /* u32 */
-#define POSEPACK_CLIP_RATE_HZ 36              /* f32: rows a second; 0 when row_count is 1 */
-#define POSEPACK_CLIP_PERIOD_S 40             /* f32: loop: exact period; once: duration */
-#define POSEPACK_CLIP_START_S 44              /* f32: glTF time of row 0 */
-#define POSEPACK_CLIP_SPEED_MPS 48            /* f32: ground speed at rate 1, 0 = not stated */
-#define POSEPACK_CLIP_STRIDE_PHASE 52         /* f32 */
-#define POSEPACK_CLIP_BOX_MIN 56              /* f32[3]: bounds of every pose, palette space */
-#define POSEPACK_CLIP_BOX_MAX 68              /* f32[3] */
-#define POSEPACK_CLIP_SPHERE_CENTER 80        /* f32[3] */
-#define POSEPACK_CLIP_SPHERE_RADIUS 92        /* f32 */
-#define POSEPACK_CLIP_TRANSLATION_MIN 96      /* f32[3]: box of `packed` translations, else zero */
-#define POSEPACK_CLIP_TRANSLATION_MAX 108     /* f32[3] */
-#define POSEPACK_CLIP_ERROR_MAX 120           /* f32: fraction of R */
-#define POSEPACK_CLIP_ERROR_P999 124          /* f32 */
-#define POSEPACK_CLIP_ERROR_RMS 128           /* f32 */
-#define POSEPACK_CLIP_ERROR_TIME_S 132        /* f32: clip time of the maximum */
-#define POSEPACK_CLIP_ERROR_MESH 136          /* u32: SPAC mesh of the maximum */
-#define POSEPACK_CLIP_ERROR_VERTEX 140        /* u32: vertex within that mesh */
-#define POSEPACK_CLIP_ERROR_BONE 144          /* u32 */
-#define POSEPACK_CLIP_NORMAL_MAX_DEG 148      /* f32 */
-#define POSEPACK_CLIP_NORMAL_P999_DEG 152     /* f32 */
-#define POSEPACK_CLIP_NORMAL_RMS_DEG 156      /* f32 */
-#define POSEPACK_CLIP_NORMAL_TIME_S 160       /* f32 */
-#define POSEPACK_CLIP_NORMAL_MESH 164         /* u32 */
-#define POSEPACK_CLIP_NORMAL_VERTEX 168       /* u32 */
-#define POSEPACK_CLIP_NORMAL_BONE 172         /* u32 */
-#define POSEPACK_CLIP_FIRST_ROOT_MOTION 176   /* u32, POSEPACK_NONE in this draft */
-#define POSEPACK_CLIP_ROOT_MOTION_COUNT 180   /* u32, zero in this draft */
-#define POSEPACK_CLIP_SEAM_GAP 184            /* f32: first pose to last pose, fraction of R */
-#define POSEPACK_CLIP_RESERVED 188            /* u32, zero */
+#define POSEPACK_CLIP_NAME 0                /* u32 string */
+#define POSEPACK_CLIP_SOURCE_NAME 4         /* u32 string: the glTF name, verbatim */
+#define POSEPACK_CLIP_ENCODING 8            /* u8 */
+#define POSEPACK_CLIP_TEXELS_PER_BONE 9     /* u8 */
+#define POSEPACK_CLIP_ROW_SCHEME 10         /* u8 */
+#define POSEPACK_CLIP_WRAP 11               /* u8 */
+#define POSEPACK_CLIP_SEAM 12               /* u8 */
+#define POSEPACK_CLIP_CLOSING_ROW 13        /* u8: 0 or 1 */
+#define POSEPACK_CLIP_INTERPOLATION 14      /* u8 */
+#define POSEPACK_CLIP_FLAGS 15              /* u8 */
+#define POSEPACK_CLIP_FIRST_ROW 16          /* u32 */
+#define POSEPACK_CLIP_ROW_COUNT 20          /* u32 */
+#define POSEPACK_CLIP_FIRST_TEXEL 24        /* u32: texels before the clip in its pixel section */
+#define POSEPACK_CLIP_FIRST_CUT 28          /* u32 index into the cut rows */
+#define POSEPACK_CLIP_CUT_COUNT 32          /* u32 */
+#define POSEPACK_CLIP_RATE_HZ 36            /* f32: rows a second; 0 when row_count is 1 */
+#define POSEPACK_CLIP_PERIOD_S 40           /* f32: loop: exact period; once: duration */
+#define POSEPACK_CLIP_START_S 44            /* f32: glTF time of row 0 */
+#define POSEPACK_CLIP_SPEED_MPS 48          /* f32: ground speed at rate 1, 0 = not stated */
+#define POSEPACK_CLIP_STRIDE_PHASE 52       /* f32 */
+#define POSEPACK_CLIP_BOX_MIN 56            /* f32[3]: bounds of every pose, palette space */
+#define POSEPACK_CLIP_BOX_MAX 68            /* f32[3] */
+#define POSEPACK_CLIP_SPHERE_CENTER 80      /* f32[3] */
+#define POSEPACK_CLIP_SPHERE_RADIUS 92      /* f32 */
+#define POSEPACK_CLIP_TRANSLATION_MIN 96    /* f32[3]: box of `packed` translations, else zero */
+#define POSEPACK_CLIP_TRANSLATION_MAX 108   /* f32[3] */
+#define POSEPACK_CLIP_ERROR_MAX 120         /* f32: fraction of R */
+#define POSEPACK_CLIP_ERROR_P999 124        /* f32 */
+#define POSEPACK_CLIP_ERROR_RMS 128         /* f32 */
+#define POSEPACK_CLIP_ERROR_TIME_S 132      /* f32: clip time of the maximum */
+#define POSEPACK_CLIP_ERROR_MESH 136        /* u32: SPAC mesh of the maximum */
+#define POSEPACK_CLIP_ERROR_VERTEX 140      /* u32: vertex within that mesh */
+#define POSEPACK_CLIP_ERROR_BONE 144        /* u32 */
+#define POSEPACK_CLIP_NORMAL_MAX_DEG 148    /* f32 */
+#define POSEPACK_CLIP_NORMAL_P999_DEG 152   /* f32 */
+#define POSEPACK_CLIP_NORMAL_RMS_DEG 156    /* f32 */
+#define POSEPACK_CLIP_NORMAL_TIME_S 160     /* f32 */
+#define POSEPACK_CLIP_NORMAL_MESH 164       /* u32 */
+#define POSEPACK_CLIP_NORMAL_VERTEX 168     /* u32 */
+#define POSEPACK_CLIP_NORMAL_BONE 172       /* u32 */
+#define POSEPACK_CLIP_FIRST_ROOT_MOTION 176 /* u32, POSEPACK_NONE in this draft */
+#define POSEPACK_CLIP_ROOT_MOTION_COUNT 180 /* u32, zero in this draft */
+#define POSEPACK_CLIP_SEAM_GAP 184          /* f32: first pose to last pose, fraction of R */
+#define POSEPACK_CLIP_RESERVED 188          /* u32, zero */
 
 #define POSEPACK_CLIP_FLAG_MEASURED 1u /* the error fields hold measurements (else zero / NONE) */
 
@@ -200,10 +201,10 @@
 #define POSEPACK_BONE_HEAD_JOINT_MAP_COUNT 8 /* u32 */
 #define POSEPACK_BONE_HEAD_RESERVED 12       /* u32, zero */
 #define POSEPACK_BONE_RECORD_BYTES 16u
-#define POSEPACK_BONE_NAME 0   /* u32 string */
-#define POSEPACK_BONE_PARENT 4 /* u32 bone or NONE; following parents always ends */
-#define POSEPACK_BONE_FLAGS 8  /* u32 */
-#define POSEPACK_BONE_NODE 12  /* u32 glTF node */
+#define POSEPACK_BONE_NAME 0           /* u32 string */
+#define POSEPACK_BONE_PARENT 4         /* u32 bone or NONE; following parents always ends */
+#define POSEPACK_BONE_FLAGS 8          /* u32 */
+#define POSEPACK_BONE_NODE 12          /* u32 glTF node */
 #define POSEPACK_BONE_FLAG_WEIGHTED 1u /* some vertex has a weight on it */
 
 /* SPAC: head, then mesh_count records. Matrices are 3x4, row-major, 12 f32. */
@@ -214,14 +215,14 @@
 #define POSEPACK_SPAC_MESH_COUNT 56        /* u32 */
 #define POSEPACK_SPAC_RECORD_SIZE 60       /* u32, 80 */
 #define POSEPACK_MESH_RECORD_BYTES 80u
-#define POSEPACK_MESH_NAME 0              /* u32 string */
-#define POSEPACK_MESH_NODE 4              /* u32 glTF node */
-#define POSEPACK_MESH_MESH 8              /* u32 glTF mesh */
-#define POSEPACK_MESH_SKIN 12             /* u32 glTF skin */
-#define POSEPACK_MESH_FIRST_JOINT 16      /* u32 index into the joint map */
-#define POSEPACK_MESH_JOINT_COUNT 20      /* u32 */
-#define POSEPACK_MESH_VERTEX_COUNT 24     /* u32: over its primitives, in order */
-#define POSEPACK_MESH_RESERVED 28         /* u32, zero */
+#define POSEPACK_MESH_NAME 0               /* u32 string */
+#define POSEPACK_MESH_NODE 4               /* u32 glTF node */
+#define POSEPACK_MESH_MESH 8               /* u32 glTF mesh */
+#define POSEPACK_MESH_SKIN 12              /* u32 glTF skin */
+#define POSEPACK_MESH_FIRST_JOINT 16       /* u32 index into the joint map */
+#define POSEPACK_MESH_JOINT_COUNT 20       /* u32 */
+#define POSEPACK_MESH_VERTEX_COUNT 24      /* u32: over its primitives, in order */
+#define POSEPACK_MESH_RESERVED 28          /* u32, zero */
 #define POSEPACK_MESH_PALETTE_FROM_MESH 32 /* f32[12] */
 
 #define POSEPACK_FORWARD_PLUS_Z 0u

@@ -139,9 +139,9 @@ typedef struct posepack_clip {
     uint32_t row_count;
     uint32_t first_texel;
     uint32_t cut_count;
-    float rate_hz;  /* rows a second; 0 for a clip of one row */
-    float period_s; /* loop: exact period; once and ping-pong: duration; 0 for one row */
-    float start_s;  /* glTF time of row 0 */
+    float rate_hz;   /* rows a second; 0 for a clip of one row */
+    float period_s;  /* loop: exact period; once and ping-pong: duration; 0 for one row */
+    float start_s;   /* glTF time of row 0 */
     float speed_mps; /* ground speed at rate 1, 0 = not stated */
     float stride_phase;
     float box_min[3], box_max[3]; /* bounds of every pose and blend, palette space */
@@ -213,8 +213,7 @@ posepack_result posepack_get_cut(const posepack_view* view, uint32_t clip_index,
 posepack_result posepack_find_clip(const posepack_view* view, const char* name, uint32_t* index);
 
 /* Number of states, and the default one (POSEPACK_NONE where the catalog names none). */
-posepack_result posepack_count_states(const posepack_view* view, uint32_t* count,
-                                      uint32_t* default_state);
+posepack_result posepack_count_states(const posepack_view* view, uint32_t* count, uint32_t* default_state);
 
 /* State `index` < count. OK, ARG or INDEX. */
 posepack_result posepack_get_state(const posepack_view* view, uint32_t index, posepack_state* state);

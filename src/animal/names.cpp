@@ -11,6 +11,7 @@ namespace posepack::animal {
 namespace {
 
 constexpr std::size_t kMaxNameBytes = 255;
+constexpr std::size_t kEllipsisBytes = 3;  // what base::shortened may add
 
 std::string without_controls(std::string_view name) {
     std::string out(name);
@@ -37,7 +38,10 @@ std::vector<std::string> clip_names(const std::vector<std::string>& source_names
         std::string plain = without_controls(after_last_bar(source_names[i]));
         if (plain.empty()) plain = fmt::format("clip_{}", i);
         std::string name = plain;
-        for (int n = 2; !taken.insert(base::lowered(name)).second; ++n) name = fmt::format("{}_{}", plain, n);
+        for (int n = 2; !taken.insert(base::lowered(name)).second; ++n) {
+            const std::string suffix = fmt::format("_{}", n);
+            name = base::shortened(plain, kMaxNameBytes - suffix.size() - kEllipsisBytes) + suffix;
+        }
         names.push_back(name);
     }
     return names;

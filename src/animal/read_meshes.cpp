@@ -116,6 +116,9 @@ base::Status report_repairs(ReadContext& context, const WeightRepairs& repairs, 
         return context.repair(IssueCode::warn_weights, IssueCode::glb_weights, where,
                               fmt::format("{} vertices {}", count, what));
     };
+    if (repairs.hopeless)
+        return Issue{IssueCode::glb_weights, where,
+                     "expected weights on nearly all vertices, most have none that can be used"};
     if (auto s = repair(repairs.bad, "have NaN, infinite or negative weights: zeroed"); !s) return s;
     if (auto s = repair(repairs.none_left, "have no weight: took those of the nearest good vertex"); !s)
         return s;

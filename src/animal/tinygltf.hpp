@@ -10,6 +10,8 @@
 #include "animal/rapidjson_settings.hpp"
 
 #define TINYGLTF_USE_RAPIDJSON
+// Its pool allocator hangs on one global document: not for several threads.
+#define TINYGLTF_USE_RAPIDJSON_CRTALLOCATOR
 #define TINYGLTF_NO_INCLUDE_RAPIDJSON
 #define TINYGLTF_NO_STB_IMAGE
 #define TINYGLTF_NO_STB_IMAGE_WRITE

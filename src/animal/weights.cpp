@@ -7,6 +7,7 @@
 namespace posepack::animal {
 namespace {
 
+constexpr std::size_t kMaxNeighbourTests = 200'000'000;  // below a second
 constexpr double kSumTolerance = 1e-3;  // beyond it a sum is reported; smaller ones are rounding
 
 struct Influence {
@@ -92,13 +93,21 @@ WeightRepairs reduce_weights(std::span<const std::uint16_t> bones, std::span<con
         out.bones.push_back(vertex_bones);
         out.weights.push_back(vertex_weights);
     }
+    const auto good_count = static_cast<std::size_t>(std::count(good.begin(), good.end(), true));
+    if (good_count * (count - good_count) > kMaxNeighbourTests) {
+        repairs.hopeless = true;
+        return repairs;
+    }
     for (std::size_t v = 0; v < count; ++v) {
         if (good[v]) continue;
         ++repairs.none_left;
         const std::size_t source = nearest_good(v, good, positions);
         out.bones[first + v] = out.bones[first + source];
         out.weights[first + v] = out.weights[first + source];
-        if (source == v) out.weights[first + v][0] = 1.0f;  // no vertex has weights: all follow joint 0
+        if (source != v) continue;
+        // No vertex has weights: each follows the first joint it names.
+        out.bones[first + v][0] = bones[v * influences];
+        out.weights[first + v][0] = 1.0f;
     }
     return repairs;
 }

@@ -16,6 +16,7 @@ struct WeightRepairs {
     std::uint32_t none_left = 0;        // no weight left: took those of the nearest good vertex
     std::uint32_t sum_not_one = 0;      // renormalised
     std::uint32_t truncated = 0;        // more than four influences
+    bool hopeless = false;              // too many lost weights to look for neighbours; nothing was repaired
     double truncated_weight_max = 0.0;  // the largest sum of weights dropped from one vertex
 };
 

@@ -92,6 +92,9 @@ base::Status sample_clips(const Animal& animal, Palette& palette) {
             }
             boxes.add(stored, clip.bounds);
         }
+        if (!clip.bounds.fits_floats())
+            return Issue{IssueCode::lim_float_range, animal.clips[clip.source].name,
+                         "expected bounds that fit 32-bit floats, the skinned mesh leaves their range"};
     }
     palette.pixels = encoder.finish();
     return {};

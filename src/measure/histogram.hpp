@@ -2,6 +2,7 @@
 // A histogram of non-negative floats with bins of equal relative width: percentiles without sorting.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <vector>
@@ -13,7 +14,8 @@ class Histogram {
  public:
     Histogram() : counts_(kBins) {}
 
-    void add(float value) { ++counts_[std::bit_cast<std::uint32_t>(value) >> kShift]; }
+    // Infinity and NaN count as the largest floats.
+    void add(float value) { ++counts_[std::min(std::bit_cast<std::uint32_t>(value) >> kShift, kBins - 1)]; }
     void clear();
     void add(const Histogram& other);
 

@@ -11,9 +11,9 @@ namespace {
 
 constexpr double kShareOnGrid = 0.98;
 constexpr double kToleranceSteps = 1e-3;
-constexpr double kLongestStepS = 1.0 / 24.0;
-constexpr double kShortestStepS = 1.0 / 240.0;
-// Rates that tools use, tried before what the keys suggest: 24.0000003 Hz measured is 24 Hz meant.
+constexpr double kLongestStepS = 1001.0 / 24000.0 * (1.0 + 1e-9);  // 23.976 Hz, and room for rounding
+constexpr double kShortestStepS = 1.0 / 240.0 * (1.0 - 1e-9);
+// Rates that tools use; they beat what the keys suggest: 24.0000003 Hz measured is 24 Hz meant.
 constexpr std::array kUsualRatesHz{24.0,  25.0,  30.0,  48.0,           50.0,           60.0,          90.0,
                                    100.0, 120.0, 240.0, 24000.0 / 1001, 30000.0 / 1001, 60000.0 / 1001};
 
@@ -47,13 +47,16 @@ std::optional<double> key_step_s(std::span<const double> times_s) {
     std::vector<double> steps;
     steps.reserve(kUsualRatesHz.size() + 1);
     for (const double rate_hz : kUsualRatesHz) steps.push_back(1.0 / rate_hz);
-    if (const auto suggested_s = suggested_step_s(times_s))
-        steps.push_back(*suggested_s / std::ceil(*suggested_s / kLongestStepS - kToleranceSteps));
+    if (const auto suggested_s = suggested_step_s(times_s)) {
+        const double step_s = *suggested_s / std::ceil(*suggested_s / kLongestStepS);
+        const bool is_usual = std::any_of(steps.begin(), steps.end(), [&](double usual_s) {
+            return std::abs(step_s - usual_s) <= kToleranceSteps * usual_s && fits(times_s, usual_s);
+        });
+        if (!is_usual) steps.push_back(step_s);
+    }
     std::stable_sort(steps.begin(), steps.end(), std::greater<>());
     for (const double step_s : steps)
-        if (step_s <= kLongestStepS * (1.0 + kToleranceSteps) && step_s >= kShortestStepS &&
-            fits(times_s, step_s))
-            return step_s;
+        if (step_s <= kLongestStepS && step_s >= kShortestStepS && fits(times_s, step_s)) return step_s;
     return std::nullopt;
 }
 

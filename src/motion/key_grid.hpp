@@ -7,9 +7,9 @@
 
 namespace posepack::motion {
 
-// The coarsest step of at most 1/24 s on which at least 98 % of `times_s` lie within a thousandth of the
+// The coarsest step of at most 1/23.976 s on which at least 98 % of `times_s` lie within a thousandth of the
 // step; nothing when there is none of at least 1/240 s. Sparse keys (at 2 s and 4 s, say) lie on many
-// grids: the limit of 1/24 s keeps enough rows between them.
+// grids: that limit keeps enough rows between them.
 //   times_s  sorted, seconds after the first key of the clip
 std::optional<double> key_step_s(std::span<const double> times_s);
 

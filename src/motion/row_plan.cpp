@@ -66,7 +66,7 @@ RowBlend RowPlan::rows_at(double time_s) const {
     blend.factor = std::clamp(position - row0, 0.0, 1.0);
     if (blend.factor < kRowTolerance) blend.factor = 0.0;
     if (step) {
-        if (!loop && blend.factor > 1.0 - kRowTolerance) blend.row0 = blend.row1;  // the very end
+        if (blend.factor > 1.0 - kRowTolerance) blend.row0 = blend.row1;  // the very end, or the next turn
         blend.row1 = blend.row0;
         blend.factor = 0.0;
     }

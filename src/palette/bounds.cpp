@@ -6,6 +6,15 @@
 
 namespace posepack::palette {
 
+bool Box::fits_floats() const {
+    if (is_empty()) return true;
+    double square = 0.0;
+    for (std::size_t c = 0; c < 3; ++c) square += (high[c] - low[c]) * (high[c] - low[c]);
+    constexpr double kLargest = 3.4e38;
+    return std::sqrt(square)<kLargest&& * std::min_element(low.begin(), low.end())> - kLargest &&
+           *std::max_element(high.begin(), high.end()) < kLargest;
+}
+
 BoneBoxes::BoneBoxes(const animal::Animal& animal) {
     struct Range {
         std::array<double, 3> low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};

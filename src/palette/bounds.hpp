@@ -17,6 +17,8 @@ struct Box {
     std::array<double, 3> high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
 
     bool is_empty() const { return low[0] > high[0]; }
+    // True when the box and the sphere around it can be stored as floats.
+    bool fits_floats() const;
 };
 
 // The box of the vertices that each bone moves, in mesh space; bones that move none have none.
