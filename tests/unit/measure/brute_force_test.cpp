@@ -60,6 +60,7 @@ std::vector<Matrix34> shown(const posepack_view& view, const palette::PaletteCli
     auto factor = static_cast<float>(std::max(0.0, position - row0));
     if (position - row0 < 1e-9) factor = 0.0f;
     if (plan.step) factor = 0.0f;
+    if (plan.step && loop && position >= intervals - 1e-9) row0 = 0;  // held poses: the next turn has begun
     double row1 = factor > 0 ? row0 + 1 : row0;
     if (row1 >= plan.row_count) row1 = loop ? 0 : plan.row_count - 1;
     std::vector<Matrix34> bones(view.header.bone_count);
