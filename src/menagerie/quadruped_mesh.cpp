@@ -158,7 +158,7 @@ void add_tail(Builder& out) {
     const std::size_t count = tail.size();
     for (std::size_t index = 0; index < count; ++index) {
         const double along = (static_cast<double>(index) + 0.45) / static_cast<double>(count);
-        const double swell = 1.0 + s.tail_bush * along * (1.0 - along) * 4.0;
+        const double swell = (1.0 + s.tail_bush * along * (1.0 - along) * 4.0) * (1.0 - s.tail_taper * along);
         const Paint paint{s.tail, s.tail, s.belly};
         loft.sections.push_back({root + way * along, r * swell, r * swell, r * swell, tail[index], paint, 1});
     }
@@ -173,8 +173,10 @@ Mesh quadruped_mesh(const Quadruped& animal) {
     add_trunk(out);
     add_quadruped_head(out);
     add_tail(out);
+    add_quadruped_extras(out);
     const Mark sides = mark(out.mesh);
     add_quadruped_head_sides(out);
+    add_quadruped_side_extras(out);
     add_front_leg(out);
     add_back_leg(out);
     add_mirror_image(out.mesh, animal.rig, sides);
