@@ -257,7 +257,7 @@ void move_trunk(ClipScript& clip) {
     if (clip.name == "Eat") {
         clip.tracks.push_back({trunk_curl, {{0.0, 0}, {0.25, 20}, {0.50, 210}, {0.68, 215}, {1.0, 0}}});
     } else if (clip.name == "Attack") {
-        clip.tracks.push_back({trunk_curl, {{0.0, 0}, {0.36, -150}, {0.48, -160}, {0.60, 40}, {1.0, 0}}});
+        clip.tracks.push_back({trunk_curl, {{0.0, 0}, {0.34, -130}, {0.48, -125}, {0.80, 20}, {1.0, 0}}});
     } else if (clip.name == "Sleep" || clip.name == "Die") {
         clip.tracks.push_back({trunk_curl, {{0.0, clip.name == "Die" ? 0.0 : 70.0}, {0.5, 70}}});
     } else {

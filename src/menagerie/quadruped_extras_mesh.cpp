@@ -200,8 +200,8 @@ void add_ruff(Builder& out) {
     stage(0.05, 0.85, j.neck[0], 2);
     stage(0.45, 1.10, j.neck[1], 2);
     stage(0.85, 1.15, j.neck[2], 2);
-    stage(1.12, 0.95, j.head, 1);
-    stage(1.22, 0.30, j.head, 0);
+    stage(1.06, 0.80, j.head, 1);
+    stage(1.14, 0.20, j.head, 0);
     add_loft(out.mesh, loft);
 }
 

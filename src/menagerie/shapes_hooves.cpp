@@ -350,10 +350,10 @@ Model elephant(const Variation& variation) {
     s.muzzle_depth = 0.17;
     s.leg_radius = 0.20;
     s.thigh_radius = 0.42;
-    s.ear_length = 0.85;
-    s.ear_width = 0.50;
+    s.ear_length = 1.15;
+    s.ear_width = 0.60;
     s.ear_thickness = 0.22;
-    s.ear_rise_degrees = -14.0;
+    s.ear_rise_degrees = -24.0;
     s.tail_length = 1.10;
     s.tail_radius = 0.06;
     s.tail_bush = 0.0;

@@ -184,7 +184,7 @@ Model shark(const Variation& variation) {
     s.iris = 0x1A1C1E;
     ExportStyle style{"Fish_Armature", 1.0, true, false};
     style.shared_samplers = false;
-    return grounded(fish_model(settled(varied(s, variation)), style, 24));
+    return grounded(fish_model(settled(varied(s, variation)), style, 30));
 }
 
 Model viper(const Variation& variation) {

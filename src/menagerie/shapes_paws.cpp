@@ -312,7 +312,7 @@ Model crocodile(const Variation& variation) {
     s.hoof = 0x3A4028;
     s.ear_inside = 0x4A5434;
     s.iris = 0xD8B23A;
-    return built(s, variation, {"CrocArmature", 1.0, true, false, true, Naming::titled}, 30);
+    return built(s, variation, {"CrocArmature", 1.0, true, false, true, Naming::titled}, 24);
 }
 
 }  // namespace posepack::menagerie
