@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Four legs with paws, as tables of measures: most start from the wolf's.
+#include "menagerie/shape_kit.hpp"
 #include "menagerie/shapes.hpp"
 
 namespace posepack::menagerie {
 namespace {
-
-Model built(const QuadrupedShape& shape, const Variation& variation, const ExportStyle& style, int rate_hz) {
-    Model model = quadruped_model(settled(varied(shape, variation)), style, rate_hz);
-    keep_above_ground(model);
-    return model;
-}
 
 QuadrupedShape wolf_shape() {
     QuadrupedShape s;
@@ -59,14 +54,6 @@ QuadrupedShape wolf_shape() {
     s.tail = 0x5C5C5E;
     s.iris = 0xE0C050;
     return s;
-}
-
-// One hue for all of the coat but belly and muzzle.
-void paint(QuadrupedShape& s, Colour coat, Colour back, Colour belly) {
-    s.coat = s.neck = s.face = s.leg = s.ear = s.tail = coat;
-    s.back = back;
-    s.belly = s.muzzle = belly;
-    s.sock = coat;
 }
 
 }  // namespace
