@@ -26,21 +26,29 @@ struct Options {
     std::optional<std::size_t> animals;
     std::uint64_t seed = 1;
     bool statistics = false;
+    bool birds = false;
 };
 
-base::Status check_ids(const std::vector<std::string>& ids) {
+base::Status check_ids(const Options& options) {
     std::vector<std::string> known;
-    for (const auto& animal : menagerie::animals()) known.emplace_back(animal.id);
-    for (const std::string& id : ids)
+    if (options.birds)
+        known.assign(menagerie::birds().begin(), menagerie::birds().end());
+    else
+        for (const auto& animal : menagerie::animals()) known.emplace_back(animal.id);
+    for (const std::string& id : options.only)
         if (std::find(known.begin(), known.end(), id) == known.end())
             return base::Issue{base::IssueCode::usage, "--only",
                                fmt::format("expected one of {}, found '{}'", fmt::join(known, ", "), id)};
     return {};
 }
 
-// The members that --animals, --seed and --only ask for.
+// The members that --birds, --animals, --seed and --only ask for.
 std::vector<menagerie::HerdMember> members_of(const Options& options) {
-    auto members = menagerie::herd(options.animals.value_or(menagerie::animals().size()), options.seed);
+    std::vector<menagerie::HerdMember> members;
+    if (options.birds)
+        for (const std::string_view id : menagerie::birds()) members.push_back({std::string(id), id, 0});
+    else
+        members = menagerie::herd(options.animals.value_or(menagerie::animals().size()), options.seed);
     if (!options.only.empty())
         std::erase_if(members, [&options](const menagerie::HerdMember& member) {
             return std::find(options.only.begin(), options.only.end(), member.kind) == options.only.end();
@@ -90,7 +98,8 @@ int write_members(const Options& options) {
     std::vector<menagerie::CatalogAnimal> catalog;
     if (options.statistics) print_statistics_head();
     for (const menagerie::HerdMember& member : members) {
-        const menagerie::Model model = *menagerie::build_model(member.kind, member.seed);
+        const menagerie::Model model = options.birds ? *menagerie::build_bird(member.kind)
+                                                     : *menagerie::build_model(member.kind, member.seed);
         const auto glb = menagerie::write_glb(model);
         const std::string file_name = member.id + ".glb";
         if (const auto status = base::write_file(std::filesystem::path(options.folder) / file_name, glb);
@@ -100,7 +109,7 @@ int write_members(const Options& options) {
             print_statistics(member.id, menagerie::statistics_of(model, json_chunk_bytes(glb)));
         else
             fmt::print("{:<16} {:>9} bytes\n", file_name, base::grouped(glb.size()));
-        if (options.animals) catalog.push_back(menagerie::catalog_animal(member.id, model));
+        if (options.animals || options.birds) catalog.push_back(menagerie::catalog_animal(member.id, model));
     }
     if (options.statistics) print_real_ranges();
     fmt::print("wrote {} animals into {}\n", members.size(), options.folder);
@@ -109,7 +118,7 @@ int write_members(const Options& options) {
 }
 
 int run(const Options& options) {
-    if (const auto status = check_ids(options.only); !status) return fail(status.issue());
+    if (const auto status = check_ids(options); !status) return fail(status.issue());
     std::error_code error;
     std::filesystem::create_directories(options.folder, error);
     if (error)
@@ -127,11 +136,14 @@ Runner add_menagerie(CLI::App& app) {
         ->delimiter(',')
         ->allow_extra_args(false)
         ->type_name("ID");
-    app.add_option("--animals", options->animals,
-                   "This many: behind the published ones others of each kind, and a catalog.json for all")
-        ->check(CLI::Range(std::size_t{1}, kMostAnimals))
-        ->type_name("N");
+    auto* herd =
+        app.add_option("--animals", options->animals,
+                       "This many: behind the published ones others of each kind, and a catalog.json for all")
+            ->check(CLI::Range(std::size_t{1}, kMostAnimals))
+            ->type_name("N");
     app.add_option("--seed", options->seed, "Which others --animals makes; default 1")->type_name("S");
+    app.add_flag("--birds", options->birds, "Instead the 25 birds of the second catalog, with a catalog.json")
+        ->excludes(herd);
     app.add_flag("--statistics", options->statistics,
                  "Print how messy each animal is, and real animals for comparison");
     return [options] { return run(*options); };

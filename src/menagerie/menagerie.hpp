@@ -30,6 +30,13 @@ std::optional<Model> build_model(std::string_view id, std::uint64_t seed = 0);
 // list. Cost: about 20 ms and 1 MiB.
 std::vector<std::uint8_t> generate_glb(std::string_view id);
 
+// The birds of the second catalog, catalogs/birds.json. Five of them share each rig, those of the crow, the
+// duck, the eagle, the owl and the sparrow.
+std::span<const std::string_view> birds();
+
+// The model of one of birds(), or nothing for another id.
+std::optional<Model> build_bird(std::string_view id);
+
 // A herd for measurements: the animals as published, then others of each kind in turn.
 struct HerdMember {
     std::string id;          // "goat", "goat_0046"

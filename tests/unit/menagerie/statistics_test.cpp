@@ -109,10 +109,8 @@ TEST(MenagerieStatistics, OneClipSquashesAndStretches) {
 }
 
 // Names, parents and rest places of two rigs.
-void expect_same_rig(const char* one, const char* other) {
-    const Rig a = build_model(one)->rig;
-    const Rig b = build_model(other)->rig;
-    ASSERT_EQ(a.joints.size(), b.joints.size()) << one << ' ' << other;
+void expect_same_rig(const Rig& a, const Rig& b) {
+    ASSERT_EQ(a.joints.size(), b.joints.size());
     for (std::size_t joint = 0; joint < a.joints.size(); ++joint) {
         EXPECT_EQ(a.joints[joint].name, b.joints[joint].name);
         EXPECT_EQ(a.joints[joint].parent, b.joints[joint].parent);
@@ -121,8 +119,28 @@ void expect_same_rig(const char* one, const char* other) {
 }
 
 TEST(MenagerieStatistics, TwoPairsShareRigs) {
-    expect_same_rig("cow", "bull");
-    expect_same_rig("deer", "stag");
+    expect_same_rig(build_model("cow")->rig, build_model("bull")->rig);
+    expect_same_rig(build_model("deer")->rig, build_model("stag")->rig);
+}
+
+TEST(MenagerieBirds, ShareTheFiveRigsOfTheDefaultCatalog) {
+    ASSERT_EQ(birds().size(), 25u);
+    std::map<std::string, int> sharers;
+    for (const std::string_view id : birds()) {
+        SCOPED_TRACE(id);
+        const Model bird = *build_bird(id);
+        EXPECT_FALSE(build_model(id));
+        EXPECT_GE(bird.clips.size(), 9u);
+        for (const char* kind : {"crow", "duck", "eagle", "owl", "sparrow"}) {
+            const Rig rig = build_model(kind)->rig;
+            if (rig.joints.back().head != bird.rig.joints.back().head) continue;
+            expect_same_rig(bird.rig, rig);
+            ++sharers[kind];
+        }
+    }
+    EXPECT_EQ(sharers.size(), 5u);
+    for (const auto& [kind, count] : sharers) EXPECT_EQ(count, 5) << kind;
+    EXPECT_FALSE(build_bird("goat"));
 }
 
 TEST(MenagerieHerd, BeginsWithThePublishedAnimals) {
