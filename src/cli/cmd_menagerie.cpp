@@ -27,11 +27,14 @@ struct Options {
     std::uint64_t seed = 1;
     bool statistics = false;
     bool birds = false;
+    bool toy = false;
 };
 
 base::Status check_ids(const Options& options) {
     std::vector<std::string> known;
-    if (options.birds)
+    if (options.toy)
+        known = {"toy"};
+    else if (options.birds)
         known.assign(menagerie::birds().begin(), menagerie::birds().end());
     else
         for (const auto& animal : menagerie::animals()) known.emplace_back(animal.id);
@@ -45,7 +48,9 @@ base::Status check_ids(const Options& options) {
 // The members that --birds, --animals, --seed and --only ask for.
 std::vector<menagerie::HerdMember> members_of(const Options& options) {
     std::vector<menagerie::HerdMember> members;
-    if (options.birds)
+    if (options.toy)
+        members.push_back({"toy", "toy", 0});
+    else if (options.birds)
         for (const std::string_view id : menagerie::birds()) members.push_back({std::string(id), id, 0});
     else
         members = menagerie::herd(options.animals.value_or(menagerie::animals().size()), options.seed);
@@ -93,13 +98,18 @@ int write_catalog(const Options& options, const std::vector<menagerie::CatalogAn
     return 0;
 }
 
+menagerie::Model model_of(const Options& options, const menagerie::HerdMember& member) {
+    if (options.toy) return menagerie::build_toy();
+    return options.birds ? *menagerie::build_bird(member.kind)
+                         : *menagerie::build_model(member.kind, member.seed);
+}
+
 int write_members(const Options& options) {
     const auto members = members_of(options);
     std::vector<menagerie::CatalogAnimal> catalog;
     if (options.statistics) print_statistics_head();
     for (const menagerie::HerdMember& member : members) {
-        const menagerie::Model model = options.birds ? *menagerie::build_bird(member.kind)
-                                                     : *menagerie::build_model(member.kind, member.seed);
+        const menagerie::Model model = model_of(options, member);
         const auto glb = menagerie::write_glb(model);
         const std::string file_name = member.id + ".glb";
         if (const auto status = base::write_file(std::filesystem::path(options.folder) / file_name, glb);
@@ -109,7 +119,8 @@ int write_members(const Options& options) {
             print_statistics(member.id, menagerie::statistics_of(model, json_chunk_bytes(glb)));
         else
             fmt::print("{:<16} {:>9} bytes\n", file_name, base::grouped(glb.size()));
-        if (options.animals || options.birds) catalog.push_back(menagerie::catalog_animal(member.id, model));
+        if (options.animals || options.birds || options.toy)
+            catalog.push_back(menagerie::catalog_animal(member.id, model));
     }
     if (options.statistics) print_real_ranges();
     fmt::print("wrote {} animals into {}\n", members.size(), options.folder);
@@ -142,8 +153,12 @@ Runner add_menagerie(CLI::App& app) {
             ->check(CLI::Range(std::size_t{1}, kMostAnimals))
             ->type_name("N");
     app.add_option("--seed", options->seed, "Which others --animals makes; default 1")->type_name("S");
-    app.add_flag("--birds", options->birds, "Instead the 25 birds of the second catalog, with a catalog.json")
-        ->excludes(herd);
+    auto* birds = app.add_flag("--birds", options->birds,
+                               "Instead the 25 birds of the second catalog, with a catalog.json")
+                      ->excludes(herd);
+    app.add_flag("--toy", options->toy, "Instead a toy horse without a skin, with a catalog.json")
+        ->excludes(herd)
+        ->excludes(birds);
     app.add_flag("--statistics", options->statistics,
                  "Print how messy each animal is, and real animals for comparison");
     return [options] { return run(*options); };

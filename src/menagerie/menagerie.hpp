@@ -37,6 +37,9 @@ std::span<const std::string_view> birds();
 // The model of one of birds(), or nothing for another id.
 std::optional<Model> build_bird(std::string_view id);
 
+// A toy horse whose parts hang under its joints without a skin, as in many small models.
+Model build_toy();
+
 // A herd for measurements: the animals as published, then others of each kind in turn.
 struct HerdMember {
     std::string id;          // "goat", "goat_0046"

@@ -36,6 +36,7 @@ struct ExportStyle {
     bool full_constant_keys = false;    // constant channels carry every key instead of two
     bool prefixed = true;               // clips carry the armature's name and a bar
     Naming naming = Naming::titled;
+    bool rigid = false;           // no skin: each joint carries the triangles that follow it most
     bool shared_samplers = true;  // channels with equal values share one; else LINEAR is spelled out too
 };
 

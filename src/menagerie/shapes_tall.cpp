@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Horse, donkey, giraffe and elephant, as tables of measures that start from the goat's.
+#include "menagerie/menagerie.hpp"
 #include "menagerie/shape_kit.hpp"
 #include "menagerie/shapes.hpp"
 
@@ -29,6 +30,18 @@ QuadrupedShape equine(const char* name, double size) {
     return s;
 }
 
+QuadrupedShape equine_of_toys() {
+    QuadrupedShape s = equine("Toy", 2.1);
+    s.tail_length = 0.8;
+    s.tail_radius = 0.06;
+    s.tail_rise_degrees = -60.0;
+    s.mane_length = 0.16;
+    s.leg_radius *= 1.5;
+    paint(s, 0xC8965A, 0xB98448, 0xD8AC74);
+    s.hoof = s.mane_colour = s.tail = 0xB03A2E;
+    return s;
+}
+
 }  // namespace
 
 Model horse(const Variation& variation) {
@@ -45,6 +58,13 @@ Model horse(const Variation& variation) {
     s.muzzle = 0x5A3824;
     s.tail = s.mane_colour = 0x241812;
     return built(s, variation, {"AnimalArmature"}, 24);
+}
+
+Model build_toy() {
+    QuadrupedShape s = scaled(equine_of_toys(), 0.16);
+    Model model = built(s, {}, {"Armature", 1.0, false, false, false, Naming::lower_case}, 30);
+    model.style.rigid = true;
+    return model;
 }
 
 Model donkey(const Variation& variation) {

@@ -68,6 +68,10 @@ TEST(MenagerieCatalog, OfTheBirdsIsTheTextThatTheModelsGive) {
     expect_catalog("birds.json", entries);
 }
 
+TEST(MenagerieCatalog, OfTheToyIsTheTextThatTheModelGives) {
+    expect_catalog("toy.json", {catalog_animal("toy", build_toy())});
+}
+
 TEST(MenagerieCatalog, SpeedsAreTheModels) {
     int travelling = 0;
     for (const MenagerieAnimal& animal : animals()) {

@@ -143,6 +143,25 @@ TEST(MenagerieBirds, ShareTheFiveRigsOfTheDefaultCatalog) {
     EXPECT_FALSE(build_bird("goat"));
 }
 
+// Its triangles are all there, under the joints, and none of them is skinned.
+TEST(MenagerieToy, HangsItsPartsUnderItsJoints) {
+    const Model toy = build_toy();
+    const GlbProbe probe(write_glb(toy));
+    const json& document = probe.document();
+    EXPECT_FALSE(document.contains("skins"));
+    EXPECT_GE(document.at("meshes").size(), 20u);
+    std::size_t indices = 0;
+    for (const json& mesh : document.at("meshes")) {
+        const json& primitive = mesh.at("primitives").at(0);
+        EXPECT_FALSE(primitive.at("attributes").contains("JOINTS_0"));
+        indices += probe.values(primitive.at("indices")).size();
+    }
+    EXPECT_EQ(indices, toy.mesh.indices.size());
+    std::size_t carriers = 0;
+    for (const json& node : document.at("nodes")) carriers += node.contains("mesh") ? 1 : 0;
+    EXPECT_EQ(carriers, document.at("meshes").size());
+}
+
 TEST(MenagerieHerd, BeginsWithThePublishedAnimals) {
     const std::vector<HerdMember> members = herd(65, 7);
     ASSERT_EQ(members.size(), 65u);
