@@ -31,6 +31,7 @@ struct BirdShape {
     double tail_radius = 0.017;  // half of its breadth
     double leg_radius = 0.0021;
     double toe_length = 0.020;
+    double bow = 1.0;  // of a sparrow's, in Peck, Drink and Attack; see settled()
 
     Colour back = 0x7A5638;
     Colour side = 0xA8957C;
@@ -110,12 +111,15 @@ enum : int {
 };
 }  // namespace bird_channel
 
+// The shape with a bow that takes its beak to the ground and no farther.
+BirdShape settled(BirdShape shape);
+
 Bird bird_of(const BirdShape& shape);
 Mesh bird_mesh(const Bird& animal);
 Pose bird_pose(const Bird& animal, const ClipScript& script, double phase);
 
 // Idle, Hop, Fly, Glide, Peck, Drink, Sleep, Attack, Hit, Die.
-std::vector<ClipScript> bird_scripts();
+std::vector<ClipScript> bird_scripts(const BirdShape& shape);
 
 Model bird_model(const BirdShape& shape, const ExportStyle& style, int rate_hz);
 

@@ -171,8 +171,37 @@ ClipScript die() {
 
 }  // namespace
 
-std::vector<ClipScript> bird_scripts() {
-    return {idle(), hop(), fly(), glide(), peck(), drink(), sleep(), attack(), hit(), die()};
+std::vector<ClipScript> bird_scripts(const BirdShape& shape) {
+    std::vector<ClipScript> scripts = {idle(),  hop(),   fly(),    glide(), peck(),
+                                       drink(), sleep(), attack(), hit(),   die()};
+    for (ClipScript& clip : scripts) {
+        if (clip.name != "Peck" && clip.name != "Drink" && clip.name != "Attack") continue;
+        for (Track& track : clip.tracks) {
+            if (track.channel != body_pitch && track.channel != neck_pitch) continue;
+            for (Stop& stop : track.stops) stop.value *= shape.bow;
+        }
+    }
+    return scripts;
+}
+
+BirdShape settled(BirdShape shape) {
+    constexpr std::size_t kPeck = 4;
+    constexpr double kDeepestPhase = 0.18;  // of Peck
+    const auto clearance = [&shape](double bow) {
+        shape.bow = bow;
+        const Bird animal = bird_of(shape);
+        const Placement placed =
+            place(animal.rig, bird_pose(animal, bird_scripts(shape)[kPeck], kDeepestPhase));
+        return placed.heads[static_cast<std::size_t>(animal.joints.head + 1)].y - shape.beak_radius * 0.3;
+    };
+    double least = 0.2;
+    double most = 1.5;
+    for (int step = 0; step < 20; ++step) {
+        const double bow = (least + most) / 2;
+        (clearance(bow) >= 0.0 ? least : most) = bow;
+    }
+    shape.bow = least;
+    return shape;
 }
 
 }  // namespace posepack::menagerie

@@ -39,6 +39,8 @@ void add_trunk(Builder& out) {
         {mixed(chest, head, 1.05), n * 0.75, n * 0.75, n * 0.75, j.head, neck, 0}};
     const Mark from = mark(out.mesh);
     add_loft(out.mesh, loft);
+    for (const int thigh : {j.leg.upper, j.leg.upper + 1})
+        attract(out.mesh, from, thigh, out.head_of(thigh), d * 0.95, 0.4);
     attract(out.mesh, from, j.breast, out.head_of(j.breast) + Vec3(0.0, -d * 0.45, d * 0.2), d * 1.25, 0.8);
 }
 

@@ -143,8 +143,10 @@ Model bird_model(const BirdShape& shape, const ExportStyle& style, int rate_hz) 
     const auto pose = [&animal](const ClipScript& script, double phase) {
         return bird_pose(animal, script, phase);
     };
-    std::vector<Clip> clips = perform(bird_scripts(), rate_hz, shape.hip_height, pose);
-    return {shape.name, animal.rig, bird_mesh(animal), std::move(clips), style};
+    std::vector<Clip> clips = perform(bird_scripts(shape), rate_hz, shape.hip_height, pose);
+    Model model{shape.name, animal.rig, bird_mesh(animal), std::move(clips), style};
+    name_clips(model);
+    return model;
 }
 
 }  // namespace posepack::menagerie

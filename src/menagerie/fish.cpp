@@ -145,7 +145,9 @@ Model fish_model(const FishShape& shape, const ExportStyle& style, int rate_hz) 
         return fish_pose(animal, script, phase);
     };
     std::vector<Clip> clips = perform(fish_scripts(), rate_hz, shape.length, pose);
-    return {shape.name, animal.rig, fish_mesh(animal), std::move(clips), style};
+    Model model{shape.name, animal.rig, fish_mesh(animal), std::move(clips), style};
+    name_clips(model);
+    return model;
 }
 
 }  // namespace posepack::menagerie

@@ -2,6 +2,7 @@
 #include "menagerie/glb_animation.hpp"
 
 #include <array>
+#include <glm/vec4.hpp>
 #include <map>
 #include <string>
 #include <string_view>
@@ -33,7 +34,8 @@ class ClipWriter {
             // Helpers directly under the armature are never scaled, and exporters know it.
             if (model_.rig.joints[joint].parent >= 0) add_channel(joint, Path::scale);
         }
-        return {{"name", model_.style.armature + "|" + clip_.name},
+        const std::string prefix = model_.style.prefixed ? model_.style.armature + "|" : "";
+        return {{"name", prefix + clip_.name},
                 {"samplers", std::move(samplers_)},
                 {"channels", std::move(channels_)}};
     }
@@ -53,43 +55,87 @@ class ClipWriter {
         return accessor;
     }
 
-    std::vector<std::string> key_values(std::size_t joint, Path path) const {
-        std::vector<std::string> values;
+    // A channel's value in one key, as x, y, z and perhaps w.
+    using Value = glm::dvec4;
+
+    std::vector<Value> key_values(std::size_t joint, Path path) const {
+        std::vector<Value> values;
         Quat previous = kNoTurn;
         for (const Pose& pose : clip_.keys) {
             Local local = local_of(model_, joint, pose.turns[joint], pose.shifts[joint]);
             if (!values.empty() && glm::dot(previous, local.rotation) < 0.0) local.rotation = -local.rotation;
             previous = local.rotation;
-            Payload payload;
-            if (path == Path::translation) put_vector(payload, local.translation);
-            if (path == Path::rotation) put_quaternion(payload, local.rotation);
-            if (path == Path::scale) put_vector(payload, pose.scales[joint]);
-            values.push_back(std::move(payload.bytes));
+            const Quat& q = local.rotation;
+            const Vec3& v = path == Path::scale ? pose.scales[joint] : local.translation;
+            values.push_back(path == Path::rotation ? Value(q.x, q.y, q.z, q.w) : Value(v, 0.0));
         }
         return values;
     }
 
+    static void put(Payload& payload, Path path, const Value& value) {
+        const int count = path == Path::rotation ? 4 : 3;
+        for (int part = 0; part < count; ++part) payload.put_f32(static_cast<float>(value[part]));
+    }
+
+    // The slope at a key, a second: that of the chord between its neighbours (Catmull and Rom, 1974). A
+    // closed loop goes on behind its last key.
+    Value slope_at(const std::vector<Value>& values, std::size_t key) const {
+        const std::size_t last = values.size() - 1;
+        const bool closed = clip_.ending == Ending::closed;
+        const std::size_t before = key > 0 ? key - 1 : closed ? last - 1 : 0;
+        const std::size_t after = key < last ? key + 1 : closed ? 1 : last;
+        const double steps = closed || (key > 0 && key < last) ? 2.0 : 1.0;
+        return (values[after] - values[before]) * (clip_.rate_hz / steps);
+    }
+
+    // The bytes of a sampler's output; those of a cubic spline hold three values a key (glTF 2.0, appendix
+    // C).
+    Payload output_of(const std::vector<Value>& values, Path path, bool is_constant) const {
+        const bool cubic = clip_.interpolation == Interpolation::cubic;
+        Payload payload;
+        for (std::size_t key = 0; key < values.size(); ++key) {
+            const Value slope = cubic && !is_constant ? slope_at(values, key) : Value(0.0);
+            if (cubic) put(payload, path, slope);
+            put(payload, path, values[key]);
+            if (cubic) put(payload, path, slope);
+        }
+        return payload;
+    }
+
     void add_channel(std::size_t joint, Path path) {
-        std::vector<std::string> values = key_values(joint, path);
+        std::vector<Value> values = key_values(joint, path);
         bool is_constant = true;
-        for (const std::string& value : values) is_constant = is_constant && value == values.front();
+        for (const Value& value : values) {
+            Payload first;
+            Payload other;
+            put(first, path, values.front());
+            put(other, path, value);
+            is_constant = is_constant && first.bytes == other.bytes;
+        }
         const bool two_keys = is_constant && !model_.style.full_constant_keys;
         if (two_keys) values.resize(2);
-        Payload payload;
-        for (const std::string& value : values) payload.bytes += value;
+        const Payload payload = output_of(values, path, is_constant);
+        const std::size_t count = values.size() * (clip_.interpolation == Interpolation::cubic ? 3 : 1);
         const int output =
-            buffer_.add_animation_accessor(payload, path == Path::rotation ? "VEC4" : "VEC3", values.size());
+            buffer_.add_animation_accessor(payload, path == Path::rotation ? "VEC4" : "VEC3", count);
         channels_.push_back({{"sampler", add_sampler(two_keys ? end_times_ : all_times_, output)},
                              {"target",
                               {{"node", kFirstJointNode + static_cast<int>(joint)},
                                {"path", kPathNames[static_cast<std::size_t>(path)]}}}});
     }
 
-    // Channels with the same values share a sampler.
+    // Channels with the same values share a sampler, where the style does so.
     int add_sampler(int input, int output) {
-        const auto [place, is_new] = known_.try_emplace(output, static_cast<int>(samplers_.size()));
-        if (is_new) samplers_.push_back({{"input", input}, {"output", output}});
-        return place->second;
+        if (const auto known = known_.find(output); known != known_.end()) return known->second;
+        const int index = static_cast<int>(samplers_.size());
+        if (model_.style.shared_samplers) known_[output] = index;
+        Json sampler{{"input", input}, {"output", output}};
+        constexpr std::array kWords = {"LINEAR", "STEP", "CUBICSPLINE"};
+        // LINEAR is what a reader assumes; some exporters say it all the same.
+        if (clip_.interpolation != Interpolation::linear || !model_.style.shared_samplers)
+            sampler["interpolation"] = kWords[static_cast<std::size_t>(clip_.interpolation)];
+        samplers_.push_back(std::move(sampler));
+        return index;
     }
 
     GlbBuffer& buffer_;

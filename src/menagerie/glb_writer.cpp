@@ -15,6 +15,12 @@ namespace {
 constexpr int kVertexTarget = 34962;
 constexpr int kIndexTarget = 34963;
 
+// The node of the skinned mesh; an empty one where every joint has a mesh of its own.
+Json body_node(const Model& model) {
+    if (model.style.rigid) return {{"name", model.name}};
+    return {{"name", model.name}, {"mesh", 0}, {"skin", 0}};
+}
+
 // Nodes: the armature, the skinned mesh, the joints.
 Json nodes_of(const Model& model) {
     const std::vector<RigJoint>& joints = model.rig.joints;
@@ -26,7 +32,7 @@ Json nodes_of(const Model& model) {
     Json armature{{"name", model.style.armature}, {"children", std::move(children[0])}};
     if (model.style.z_up_armature) armature["rotation"] = quaternion_json(armature_turn(model.style));
     if (model.style.armature_scale != 1.0) armature["scale"] = vector_json(Vec3(model.style.armature_scale));
-    Json nodes = Json::array({std::move(armature), {{"name", model.name}, {"mesh", 0}, {"skin", 0}}});
+    Json nodes = Json::array({std::move(armature), body_node(model)});
     for (std::size_t index = 0; index < joints.size(); ++index) {
         const Local local = local_of(model, index, kNoTurn, Vec3(0.0));
         Json node{{"name", joints[index].name},
@@ -86,19 +92,21 @@ int add_weights(GlbBuffer& buffer, const Mesh& mesh) {
     return buffer.add_accessor(payload, ComponentType::f32, "VEC4", mesh.vertices.size(), kVertexTarget);
 }
 
-Json mesh_json(GlbBuffer& buffer, const Model& model) {
+Json mesh_json(GlbBuffer& buffer, const Mesh& mesh, const std::string& name, bool with_skin) {
     Payload indices;
-    for (const std::uint16_t index : model.mesh.indices) indices.put_u16(index);
-    Json attributes{{"POSITION", add_positions(buffer, model.mesh)},
-                    {"NORMAL", add_normals(buffer, model.mesh)},
-                    {"COLOR_0", add_colours(buffer, model.mesh)},
-                    {"JOINTS_0", add_joints(buffer, model.mesh)},
-                    {"WEIGHTS_0", add_weights(buffer, model.mesh)}};
+    for (const std::uint16_t index : mesh.indices) indices.put_u16(index);
+    Json attributes{{"POSITION", add_positions(buffer, mesh)},
+                    {"NORMAL", add_normals(buffer, mesh)},
+                    {"COLOR_0", add_colours(buffer, mesh)}};
+    if (with_skin) {
+        attributes["JOINTS_0"] = add_joints(buffer, mesh);
+        attributes["WEIGHTS_0"] = add_weights(buffer, mesh);
+    }
     Json primitive{{"attributes", std::move(attributes)},
-                   {"indices", buffer.add_accessor(indices, ComponentType::u16, "SCALAR",
-                                                   model.mesh.indices.size(), kIndexTarget)},
+                   {"indices", buffer.add_accessor(indices, ComponentType::u16, "SCALAR", mesh.indices.size(),
+                                                   kIndexTarget)},
                    {"material", 0}};
-    return {{"name", model.name}, {"primitives", Json::array({std::move(primitive)})}};
+    return {{"name", name}, {"primitives", Json::array({std::move(primitive)})}};
 }
 
 // Inverse of T(head) R(bone) S(armature scale), column by column.
@@ -147,6 +155,18 @@ std::vector<std::uint8_t> glb_bytes(std::string json, const std::string& buffer)
     return {out.bytes.begin(), out.bytes.end()};
 }
 
+// A mesh for each joint that any triangle follows, in the joint's own axes.
+void add_rigid_meshes(GlbBuffer& buffer, const Model& model, Json& document) {
+    document["meshes"] = Json::array();
+    for (std::size_t joint = 0; joint < model.rig.joints.size(); ++joint) {
+        const Mesh part = rigid_part(model.mesh, model.rig, static_cast<int>(joint));
+        if (part.indices.empty()) continue;
+        const RigJoint& owner = model.rig.joints[joint];
+        document["nodes"][kFirstJointNode + joint]["mesh"] = document["meshes"].size();
+        document["meshes"].push_back(mesh_json(buffer, part, owner.name, false));
+    }
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> write_glb(const Model& model) {
@@ -158,8 +178,12 @@ std::vector<std::uint8_t> write_glb(const Model& model) {
     document["materials"] =
         Json::array({{{"name", "Hide"},
                       {"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", number(0.8)}}}}});
-    document["meshes"] = Json::array({mesh_json(buffer, model)});
-    document["skins"] = Json::array({skin_json(buffer, model)});
+    if (model.style.rigid) {
+        add_rigid_meshes(buffer, model, document);
+    } else {
+        document["meshes"] = Json::array({mesh_json(buffer, model.mesh, model.name, true)});
+        document["skins"] = Json::array({skin_json(buffer, model)});
+    }
     Json animations = Json::array();
     for (const Clip& clip : model.clips) animations.push_back(animation_json(buffer, model, clip));
     document["animations"] = std::move(animations);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace posepack::menagerie {
 namespace {
@@ -52,6 +53,19 @@ void normalise(Influences& influences) {
     }
     influences.weights[largest] += rest;
     for (double& weight : influences.weights) weight /= kUnit;
+}
+
+// The joint with the largest sum of weights over the corners of the triangle that begins at `index`.
+int leading_joint(const Mesh& mesh, std::size_t index) {
+    std::map<int, double> sums;
+    for (std::size_t corner = index; corner < index + 3; ++corner) {
+        const Influences& influences = mesh.vertices[mesh.indices[corner]].influences;
+        for (std::size_t slot = 0; slot < 4; ++slot)
+            sums[influences.joints[slot]] += influences.weights[slot];
+    }
+    return std::max_element(sums.begin(), sums.end(),
+                            [](const auto& a, const auto& b) { return a.second < b.second; })
+        ->first;
 }
 
 }  // namespace
@@ -138,6 +152,27 @@ void finish(Mesh& mesh) {
         vertex.normal = glm::normalize(vertex.normal);
         normalise(vertex.influences);
     }
+}
+
+Mesh rigid_part(const Mesh& mesh, const Rig& rig, int joint) {
+    const RigJoint& owner = rig.joints[static_cast<std::size_t>(joint)];
+    const Quat axes = glm::conjugate(owner.bone);
+    Mesh part;
+    std::map<std::uint16_t, std::uint16_t> known;
+    for (std::size_t index = 0; index < mesh.indices.size(); index += 3) {
+        if (leading_joint(mesh, index) != joint) continue;
+        for (std::size_t corner = index; corner < index + 3; ++corner) {
+            const auto next = static_cast<std::uint16_t>(part.vertices.size());
+            const auto [place, is_new] = known.try_emplace(mesh.indices[corner], next);
+            part.indices.push_back(place->second);
+            if (!is_new) continue;
+            Vertex vertex = mesh.vertices[mesh.indices[corner]];
+            vertex.position = axes * (vertex.position - owner.head);
+            vertex.normal = axes * vertex.normal;
+            part.vertices.push_back(vertex);
+        }
+    }
+    return part;
 }
 
 }  // namespace posepack::menagerie

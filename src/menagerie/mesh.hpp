@@ -66,4 +66,8 @@ void tint(Mesh& mesh, const Mark& from, Colour colour, const Vec3& centre, doubl
 // to exactly one. Call once, last.
 void finish(Mesh& mesh);
 
+// The triangles that follow `joint` most, in that joint's axes at rest: what a model without a skin hangs
+// under its node. Vertices on a border belong to both sides.
+Mesh rigid_part(const Mesh& mesh, const Rig& rig, int joint);
+
 }  // namespace posepack::menagerie

@@ -11,7 +11,9 @@
 
 namespace posepack::menagerie {
 
-enum class Horns { none, swept_back };
+// Horns that sweep back have joints of their own; the others move with the head.
+enum class Horns { none, swept_back, bull, curled, antlers, knobs };
+enum class Mane { none, crest, ruff };
 enum class Foot { hoof, paw };
 
 // Lengths in metres; "heights" are above the ground, "radii" half of a thickness.
@@ -50,6 +52,23 @@ struct QuadrupedShape {
     double horn_length = 0.0;
     double beard_length = 0.0;
     Foot foot = Foot::hoof;
+    Mane mane = Mane::none;
+    double mane_length = 0.0;  // how far it stands out of the neck
+    double tail_taper = 0.0;   // by which part of its radius the tail is thinner at its tip
+    double ear_thickness = 1.0;
+    double trunk_length = 0.0;
+    double tusk_length = 0.0;
+    double stride = 1.0;       // of a stride, as a part of the goat's for the same height
+    double bounce = 1.0;       // of the pitch of body and spine, likewise
+    double foot_height = 1.0;  // of ankle and toe joint, likewise: thick feet need room
+    bool leaps = false;        // has a Jump that squashes and stretches
+    bool butts = false;        // attacks with its head though it has no horns
+
+    // What follows from the measures; see settled().
+    bool settles = false;
+    double eat_pitch_degrees = 103.0;   // neck bowed until the muzzle meets the ground
+    double sleep_pitch_degrees = 50.0;  // neck laid beside the body
+    double side_drop = 0.745;           // how far the body sinks until it lies on its side, in hip heights
 
     Colour coat = 0xB08A62;
     Colour back = 0x6A4A30;  // along the spine
@@ -66,6 +85,7 @@ struct QuadrupedShape {
     Colour horn = 0x8C7B64;
     Colour horn_tip = 0x4C4238;
     Colour tail = 0x6A4A30;
+    Colour mane_colour = 0x3A2A1E;
     Colour eye = 0x1A1512;
     Colour iris = 0xD9A23A;
 };
@@ -80,7 +100,8 @@ struct QuadrupedJoints {
     int beard = -1;
     int eye = 0;
     std::vector<int> ear;
-    std::vector<int> horn;  // none where the animal has no horns
+    std::vector<int> horn;   // none but for horns that sweep back
+    std::vector<int> trunk;  // none but for an elephant
     std::vector<int> tail;
     int front_blade = 0;  // shoulder blade
     int back_blade = 0;   // half of the pelvis
@@ -123,6 +144,8 @@ enum : int {
     front_follow,  // 0: front feet stay where they are told; 1: they go with the chest
     back_follow,
     shoulder_lift,  // how far the blades slide up beside the spine
+    squash,         // the whole animal flatter and wider (negative: taller), feet on the ground
+    trunk_curl,     // tip towards the mouth
     foot_x,
     foot_y,
     foot_z,
@@ -135,14 +158,18 @@ enum : int {
 // The skeleton of a shape.
 Quadruped quadruped_of(const QuadrupedShape& shape);
 
+// The shape with the numbers that follow from its measures: how far neck and body go until they meet the
+// ground in Eat, Sleep and Die. The numbers stay as they are where the animal cannot reach.
+QuadrupedShape settled(QuadrupedShape shape);
+
 // Its skin.
 Mesh quadruped_mesh(const Quadruped& animal);
 
 // The pose for channel values at a phase of a script's gait.
 Pose quadruped_pose(const Quadruped& animal, const ClipScript& script, double phase);
 
-// The nine clips every quadruped has: Idle, Walk, Trot, Gallop, Eat, Sleep, Attack, Hit, Die.
-// Horned animals butt, the others bite.
+// The nine clips every quadruped has: Idle, Walk, Trot, Gallop, Eat, Sleep, Attack, Hit, Die; and Jump for
+// those that leap. Horned animals butt, the others bite.
 std::vector<ClipScript> quadruped_scripts(const QuadrupedShape& shape);
 
 Model quadruped_model(const QuadrupedShape& shape, const ExportStyle& style, int rate_hz);

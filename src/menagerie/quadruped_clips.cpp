@@ -60,18 +60,20 @@ ClipScript gallop() {
     return clip;
 }
 
-ClipScript eat() {
+ClipScript eat(const QuadrupedShape& shape) {
     ClipScript clip{"Eat", 108, Ending::closed, {}, {}, {}};
-    clip.tracks = {{neck_pitch, {{0.0, 103}, {0.62, 103}, {0.72, 86}, {0.86, 86}, {1.0, 103}}},
-                   {head_pitch, {{0.0, -62}, {0.62, -62}, {0.72, -50}, {0.86, -50}, {1.0, -62}}},
-                   {neck_yaw, {{0.0, -10}, {0.30, -10}, {0.45, 14}, {0.65, 14}, {0.80, -10}, {1.0, -10}}},
-                   {beard, {{0.0, -50}}},
-                   {body_pitch, {{0.0, 6}}},
-                   {spine_pitch, {{0.0, 8}}},
-                   {body_y, {{0.0, -0.02}}},
-                   {of_foot(foot_z, 0), {{0.0, 0.13}}},
-                   {of_foot(foot_z, 1), {{0.0, -0.10}}},
-                   {ear_flick_right, {{0.0, 0}, {0.75, 0}, {0.77, 42}, {0.80, -8}, {0.83, 0}, {1.0, 0}}}};
+    const double low = shape.eat_pitch_degrees;
+    clip.tracks = {
+        {neck_pitch, {{0.0, low}, {0.62, low}, {0.72, low - 17.0}, {0.86, low - 17.0}, {1.0, low}}},
+        {head_pitch, {{0.0, -62}, {0.62, -62}, {0.72, -50}, {0.86, -50}, {1.0, -62}}},
+        {neck_yaw, {{0.0, -10}, {0.30, -10}, {0.45, 14}, {0.65, 14}, {0.80, -10}, {1.0, -10}}},
+        {beard, {{0.0, -50}}},
+        {body_pitch, {{0.0, 6}}},
+        {spine_pitch, {{0.0, 8}}},
+        {body_y, {{0.0, -0.02}}},
+        {of_foot(foot_z, 0), {{0.0, 0.13}}},
+        {of_foot(foot_z, 1), {{0.0, -0.10}}},
+        {ear_flick_right, {{0.0, 0}, {0.75, 0}, {0.77, 42}, {0.80, -8}, {0.83, 0}, {1.0, 0}}}};
     clip.waves = {{jaw, 7.0, 9, 0.0},      {jaw, 6.0, 18, 0.1},      {head_pitch, 3.0, 9, 0.25},
                   {head_yaw, 4.0, 3, 0.0}, {tail_yaw, 18.0, 5, 0.0}, {neck_pitch, 2.0, 3, 0.0},
                   {beard, 7.0, 9, 0.1}};
@@ -90,7 +92,7 @@ ClipScript sleep(const QuadrupedShape& shape) {
     clip.tracks = {{body_y, {{0.0, -lying_drop(shape)}}},
                    {body_roll, {{0.0, -7}}},
                    {neck_yaw, {{0.0, 62}}},
-                   {neck_pitch, {{0.0, 50}}},
+                   {neck_pitch, {{0.0, shape.sleep_pitch_degrees}}},
                    {head_yaw, {{0.0, 28}}},
                    {head_pitch, {{0.0, -6}}},
                    {spine_yaw, {{0.0, 14}}},
@@ -195,15 +197,17 @@ ClipScript hit() {
 }
 
 // Sinks on its front legs, rolls onto its right side and lies still.
-ClipScript die() {
+ClipScript die(const QuadrupedShape& shape) {
     ClipScript clip{"Die", 45, Ending::once, {}, {}, {}};
+    const double drop = shape.side_drop;
+    const double late = shape.settles ? 0.5 : 1.0;  // short legs let go early, or they would be drawn under
     clip.tracks = {
-        {body_y, {{0.0, 0}, {0.22, -0.16}, {0.40, -0.34}, {0.60, -0.745}, {0.66, -0.725}, {0.72, -0.745}}},
+        {body_y, {{0.0, 0}, {0.22, -0.16}, {0.40, -0.34}, {0.60, -drop}, {0.66, 0.02 - drop}, {0.72, -drop}}},
         {body_x, {{0.0, 0}, {0.60, -0.30}}},
         {body_pitch, {{0.0, 0}, {0.24, 10}, {0.60, 0}}},
         {body_roll, {{0.0, 0}, {0.22, 4}, {0.60, 86}, {0.66, 81}, {0.72, 86}}},
-        {front_follow, {{0.0, 0}, {0.10, 0}, {0.40, 1}}},
-        {back_follow, {{0.0, 0}, {0.16, 0}, {0.46, 1}}},
+        {front_follow, {{0.0, 0}, {0.10 * late, 0}, {0.40 * late, 1}}},
+        {back_follow, {{0.0, 0}, {0.16 * late, 0}, {0.46 * late, 1}}},
         {spine_pitch, {{0.0, 0}, {0.24, 12}, {0.70, -5}}},
         {neck_pitch, {{0.0, 0}, {0.20, -22}, {0.45, 30}, {0.70, 26}}},
         {neck_yaw, {{0.0, 0}, {0.30, 14}, {0.62, -14}, {0.74, -6}}},
@@ -223,11 +227,60 @@ ClipScript die() {
     return clip;
 }
 
+// Leaps on the spot: crouches flat, flies up tall, lands flat.
+ClipScript jump() {
+    ClipScript clip{"Jump", 24, Ending::closed, {}, {}, {}};
+    clip.tracks = {{front_follow, {{0.0, 1}}},
+                   {back_follow, {{0.0, 1}}},
+                   {squash, {{0.0, 0}, {0.22, 0.30}, {0.36, -0.22}, {0.58, -0.06}, {0.76, 0.26}, {1.0, 0}}},
+                   {body_y, {{0.0, 0}, {0.28, 0}, {0.50, 0.75}, {0.72, 0}, {1.0, 0}}},
+                   {body_pitch, {{0.0, 0}, {0.34, -14}, {0.62, 12}, {0.80, 0}, {1.0, 0}}},
+                   {ear_pitch, {{0.0, 0}, {0.30, -20}, {0.50, 24}, {0.76, -30}, {1.0, 0}}},
+                   {tail_pitch, {{0.0, 0}, {0.30, -20}, {0.55, 30}, {1.0, 0}}}};
+    return clip;
+}
+
+// Takes the pitch out of body and spine, for a long body on short legs.
+void soften(ClipScript& clip, double share) {
+    const auto pitches = [](int channel) { return channel == body_pitch || channel == spine_pitch; };
+    for (Track& track : clip.tracks) {
+        if (!pitches(track.channel)) continue;
+        for (Stop& stop : track.stops) stop.value *= share;
+    }
+    for (Wave& wave : clip.waves) {
+        if (pitches(wave.channel)) wave.amplitude *= share;
+    }
+}
+
+// A trunk swings along with everything, gathers food in Eat and is raised in Attack.
+void move_trunk(ClipScript& clip) {
+    if (clip.name == "Eat") {
+        clip.tracks.push_back({trunk_curl, {{0.0, 0}, {0.25, 20}, {0.50, 210}, {0.68, 215}, {1.0, 0}}});
+    } else if (clip.name == "Attack") {
+        clip.tracks.push_back({trunk_curl, {{0.0, 0}, {0.34, -130}, {0.48, -125}, {0.80, 20}, {1.0, 0}}});
+    } else if (clip.name == "Sleep" || clip.name == "Die") {
+        clip.tracks.push_back({trunk_curl, {{0.0, clip.name == "Die" ? 0.0 : 70.0}, {0.5, 70}}});
+    } else {
+        clip.waves.push_back({trunk_curl, clip.name == "Idle" ? 24.0 : 14.0, 2, 0.1});
+        clip.tracks.push_back({trunk_curl, {{0.0, clip.name == "Gallop" ? 40.0 : 10.0}}});
+    }
+}
+
 }  // namespace
 
 std::vector<ClipScript> quadruped_scripts(const QuadrupedShape& shape) {
-    const ClipScript attack = shape.horns == Horns::none ? bite() : butt();
-    return {idle(), walk(), trot(), gallop(), eat(), sleep(shape), attack, hit(), die()};
+    const bool butts = shape.butts || (shape.horns != Horns::none && shape.horns != Horns::knobs);
+    std::vector<ClipScript> scripts = {
+        idle(), walk(),    trot(), gallop(), eat(shape), sleep(shape), butts ? butt() : bite(),
+        hit(),  die(shape)};
+    if (shape.leaps) scripts.push_back(jump());
+    for (ClipScript& script : scripts) {
+        if (script.gait) script.gait->stroke *= shape.stride;
+        if (script.gait) script.gait->lift *= shape.stride;
+        soften(script, shape.bounce);
+        if (shape.trunk_length > 0.0) move_trunk(script);
+    }
+    return scripts;
 }
 
 }  // namespace posepack::menagerie

@@ -88,17 +88,18 @@ void add_ear(Builder& out) {
     const Vec3 along = glm::normalize(way);
     const Vec3 opening(0.15, -0.35, 0.9);  // where the inside of the ear looks
     const double w = s.ear_width;
+    const double t = w * s.ear_thickness;
     const Paint paint{s.ear_inside, s.ear, s.ear};
     Loft loft;
     loft.side = glm::normalize(glm::cross(opening - along * glm::dot(opening, along), along));
     loft.segments = kSmallSegments;
     loft.start_cap = 0.0;
     loft.end_cap = s.ear_length * 0.05;
-    loft.sections = {{root - along * (s.ear_length * 0.10), w * 0.40, w * 0.22, w * 0.40, out.joints().head,
+    loft.sections = {{root - along * (s.ear_length * 0.10), w * 0.40, t * 0.22, t * 0.40, out.joints().head,
                       plain(s.ear), 1},
-                     {root + way * 0.18, w * 0.72, -w * 0.02, w * 0.42, ear[0], paint, 2},
-                     {root + way * 0.55, w, -w * 0.06, w * 0.36, ear[1], paint, 2},
-                     {root + way * 0.94, w * 0.25, w * 0.02, w * 0.12, ear[1], plain(s.ear), 0}};
+                     {root + way * 0.18, w * 0.72, -t * 0.02, t * 0.42, ear[0], paint, 2},
+                     {root + way * 0.55, w, -t * 0.06, t * 0.36, ear[1], paint, 2},
+                     {root + way * 0.94, w * 0.25, t * 0.02, t * 0.12, ear[1], plain(s.ear), 0}};
     add_loft(out.mesh, loft);
 }
 

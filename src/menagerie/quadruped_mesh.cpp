@@ -4,6 +4,7 @@
 // joints: trunk 25 x 24, head 16 x 18, jaw 6 x 10, beard 4 x 8, tail 5 x 10, and twice ear 6 x 10, horn 9 x
 // 10, eye 3 x 8, front leg 19 x 14 and back leg 20 x 14: with two poles for each of the 15 parts, exactly
 // 2,500.
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "menagerie/quadruped_parts.hpp"
@@ -38,6 +39,7 @@ void add_trunk(Builder& out) {
     const auto side = [&](double share) {
         return s.chest_radius * 0.72 + (s.neck_radius - s.chest_radius * 0.72) * share;
     };
+    // A thick neck that is carried low does not stand above the back like a hood.
     Loft loft;
     loft.segments = kTrunkSegments;
     loft.start_cap = r * 0.12;
@@ -51,8 +53,10 @@ void add_trunk(Builder& out) {
         {chest, (s.belly_radius + s.chest_radius) * 0.5, ridge * 1.05, s.chest_depth * 1.05, j.spine[2], coat,
          3},
         {withers, s.chest_radius, ridge * 1.1, s.chest_depth, j.spine[2], front, 3},
-        {mixed(neck, poll, 0.10), side(0.25), throat(0.15) * 0.9, throat(0.0) * 1.15, j.neck[0], front, 2},
-        {mixed(neck, poll, 0.40), side(0.62), throat(0.45), throat(0.45), j.neck[1], neck_paint, 2},
+        {mixed(neck, poll, 0.10), side(0.25), std::min(throat(0.15) * 0.9, ridge * 1.7), throat(0.0) * 1.15,
+         j.neck[0], front, 2},
+        {mixed(neck, poll, 0.40), side(0.62), std::min(throat(0.45), ridge * 1.9), throat(0.45), j.neck[1],
+         neck_paint, 2},
         {mixed(neck, poll, 0.72), side(0.88), throat(0.80), throat(0.80), j.neck[2], neck_paint, 2},
         {mixed(neck, poll, 1.04), side(1.05), throat(1.05), throat(1.05), j.head, neck_paint, 0}};
     const Mark from = mark(out.mesh);
@@ -158,8 +162,11 @@ void add_tail(Builder& out) {
     const std::size_t count = tail.size();
     for (std::size_t index = 0; index < count; ++index) {
         const double along = (static_cast<double>(index) + 0.45) / static_cast<double>(count);
-        const double swell = 1.0 + s.tail_bush * along * (1.0 - along) * 4.0;
-        const Paint paint{s.tail, s.tail, s.belly};
+        const double swell = (1.0 + s.tail_bush * along * (1.0 - along) * 4.0) * (1.0 - s.tail_taper * along);
+        // A path that leads backwards has its upper line below; only a tail that is carried high shows its
+        // underside from above.
+        const bool is_high = s.tail_rise_degrees > 40.0;
+        const Paint paint{s.tail, s.tail, is_high ? s.belly : s.tail};
         loft.sections.push_back({root + way * along, r * swell, r * swell, r * swell, tail[index], paint, 1});
     }
     loft.sections.push_back({root + way, r * 0.3, r * 0.3, r * 0.3, tail.back(), plain(s.tail), 0});
@@ -173,8 +180,10 @@ Mesh quadruped_mesh(const Quadruped& animal) {
     add_trunk(out);
     add_quadruped_head(out);
     add_tail(out);
+    add_quadruped_extras(out);
     const Mark sides = mark(out.mesh);
     add_quadruped_head_sides(out);
+    add_quadruped_side_extras(out);
     add_front_leg(out);
     add_back_leg(out);
     add_mirror_image(out.mesh, animal.rig, sides);

@@ -13,4 +13,10 @@ void add_quadruped_head(SkinBuilder<Quadruped>& out);
 // The left ear, horn and eye.
 void add_quadruped_head_sides(SkinBuilder<Quadruped>& out);
 
+// Trunk and mane, in the middle line; nothing for an animal without them.
+void add_quadruped_extras(SkinBuilder<Quadruped>& out);
+
+// The left horn that moves with the head, and the left tusk.
+void add_quadruped_side_extras(SkinBuilder<Quadruped>& out);
+
 }  // namespace posepack::menagerie

@@ -36,6 +36,12 @@ void pose_trunk(const Quadruped& animal, const Values& v, Pose& pose) {
     pose.shifts[body] = way * animal.shape.hip_height;
     pose.turns[body] = roll(value(v, channel::body_roll)) * yaw(value(v, channel::body_yaw)) *
                        pitch(value(v, channel::body_pitch));
+    if (const double squash = value(v, channel::squash); squash != 0.0) {
+        // The bone of the body lies nearly level: its own X is across and its own Z is up and down.
+        const double height = 1.0 - squash;
+        pose.scales[body] = {1.0 + squash * 0.5, 1.0 + squash * 0.25, height};
+        pose.shifts[body].y += animal.rig.joints[body].head.y * (height - 1.0);
+    }
     bend<3>(pose, j.spine, {0.35, 0.35, 0.30}, value(v, channel::spine_pitch), value(v, channel::spine_yaw));
     bend<3>(pose, j.neck, {0.55, 0.27, 0.18}, value(v, channel::neck_pitch), value(v, channel::neck_yaw));
 }
@@ -47,6 +53,10 @@ void pose_head(const Quadruped& animal, const Values& v, Pose& pose) {
                                                    pitch(value(v, channel::head_pitch));
     pose.turns[static_cast<std::size_t>(j.jaw)] = pitch(value(v, channel::jaw));
     if (j.beard >= 0) pose.turns[static_cast<std::size_t>(j.beard)] = pitch(value(v, channel::beard));
+    for (const int joint : j.trunk) {
+        pose.turns[static_cast<std::size_t>(joint)] =
+            pitch(value(v, channel::trunk_curl) / static_cast<double>(j.trunk.size()));
+    }
     for (int side = 0; side < 2; ++side) {
         const double sign = side == 0 ? 1.0 : -1.0;
         const double flick = value(v, channel::ear_flick_left + side);
@@ -75,7 +85,8 @@ struct GaitOffset {
     double cannon_pitch = 0.0;
 };
 
-GaitOffset gait_offset(const ClipScript& script, double phase, int foot_index) {
+// A thick foot has no room to tip in: `foot_height` is that of the shape.
+GaitOffset gait_offset(const ClipScript& script, double phase, int foot_index, double foot_height) {
     if (!script.gait) return {};
     const Gait& gait = *script.gait;
     const FootStep step = foot_step(gait, phase + gait.offsets[static_cast<std::size_t>(foot_index)]);
@@ -83,7 +94,7 @@ GaitOffset gait_offset(const ClipScript& script, double phase, int foot_index) {
     // The joints close most in the first half of the swing.
     const double fold = 4.0 * step.swing * (1.0 - step.swing) * (1.35 - 0.7 * step.swing);
     return {{0.0, step.height * gait.lift, step.forward * gait.stroke},
-            step.height * 55.0,
+            step.height * 55.0 / (foot_height * foot_height),
             fold * (front ? 55.0 : 22.0) * std::min(1.0, gait.lift * 8.0)};
 }
 
@@ -93,7 +104,7 @@ void pose_foot(const Quadruped& animal, const ClipScript& script, double phase, 
     const bool front = foot_index < 2;
     const int side = foot_index % 2;
     const int first = channel::foot_x + 5 * foot_index;
-    const GaitOffset step = gait_offset(script, phase, foot_index);
+    const GaitOffset step = gait_offset(script, phase, foot_index, animal.shape.foot_height);
     const Vec3 told(value(v, first), value(v, first + 1), value(v, first + 2));
     const Vec3 way = (told + step.way) * animal.shape.hip_height;
 
@@ -143,7 +154,9 @@ Model quadruped_model(const QuadrupedShape& shape, const ExportStyle& style, int
         return quadruped_pose(animal, script, phase);
     };
     std::vector<Clip> clips = perform(quadruped_scripts(shape), rate_hz, shape.hip_height, pose);
-    return {shape.name, animal.rig, quadruped_mesh(animal), std::move(clips), style};
+    Model model{shape.name, animal.rig, quadruped_mesh(animal), std::move(clips), style};
+    name_clips(model);
+    return model;
 }
 
 }  // namespace posepack::menagerie

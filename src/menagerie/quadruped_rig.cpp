@@ -61,6 +61,12 @@ void add_head(Quadruped& animal) {
         const Vec3 root = hinge + (chin - hinge) * 0.8;
         j.beard = add_joint(rig, "Beard", j.jaw, root, root - kAxisY * s.beard_length);
     }
+    if (s.trunk_length > 0.0) {
+        const Vec3 root = nose - forward * (s.head_length * 0.08) - up * (s.head_depth * 0.15);
+        const Vec3 tip = root + Vec3(0.0, -0.985, 0.17) * s.trunk_length;
+        j.trunk = add_chain(rig, "Trunk", 4, j.head, root, tip);
+        add_joint(rig, "Trunk4_end", j.trunk.back(), tip, tip - kAxisY * 0.05);
+    }
     const Vec3 eye =
         poll + forward * (s.head_length * 0.34) + up * (s.head_depth * 0.36) + kAxisX * s.head_radius;
     j.eye = add_joint_pair(rig, "Eye", j.head, eye, eye + kAxisX * 0.02);
@@ -68,7 +74,7 @@ void add_head(Quadruped& animal) {
     const Vec3 ear_way = roll(s.ear_rise_degrees) * kAxisX * s.ear_length;
     j.ear.push_back(add_joint_pair(rig, "Ear1", j.head, ear, ear + ear_way * 0.5));
     j.ear.push_back(add_joint_pair(rig, "Ear2", j.ear.front(), ear + ear_way * 0.5, ear + ear_way));
-    if (s.horns == Horns::none) return;
+    if (s.horns != Horns::swept_back) return;
     const Vec3 horn = poll + forward * (s.head_length * 0.12) + up * (s.head_depth * 0.85) +
                       kAxisX * (s.head_radius * 0.40);
     const Vec3 middle = horn + Vec3(0.10, 0.62, -0.30) * s.horn_length;
@@ -99,8 +105,8 @@ LegLine front_line(const QuadrupedShape& s) {
             {x * 1.08, h * 0.66, z + 0.075 * h},
             {x * 1.05, h * 0.525, z - 0.055 * h},
             {x, h * 0.285, z - 0.02 * h},
-            {x, h * 0.095, z - 0.03 * h},
-            {x, h * 0.045, z + 0.008 * h},
+            {x, h * 0.095 * s.foot_height, z - 0.03 * h},
+            {x, h * 0.045 * s.foot_height, z + 0.008 * h},
             {x, 0.0, z + 0.05 * h}};
 }
 
@@ -112,8 +118,8 @@ LegLine back_line(const QuadrupedShape& s) {
             {x * 0.98, h * 0.80, z - 0.015 * h},
             {x * 1.12, h * 0.545, z + 0.115 * h},
             {x, h * 0.345, z - 0.135 * h},
-            {x, h * 0.095, z - 0.105 * h},
-            {x, h * 0.045, z - 0.067 * h},
+            {x, h * 0.095 * s.foot_height, z - 0.105 * h},
+            {x, h * 0.045 * s.foot_height, z - 0.067 * h},
             {x, 0.0, z - 0.025 * h}};
 }
 

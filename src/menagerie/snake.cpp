@@ -200,7 +200,9 @@ Model snake_model(const SnakeShape& shape, const ExportStyle& style, int rate_hz
         return snake_pose(animal, script, phase);
     };
     std::vector<Clip> clips = perform(snake_scripts(), rate_hz, shape.length / shape.bends, pose);
-    return {shape.name, animal.rig, snake_mesh(animal), std::move(clips), style};
+    Model model{shape.name, animal.rig, snake_mesh(animal), std::move(clips), style};
+    name_clips(model);
+    return model;
 }
 
 }  // namespace posepack::menagerie

@@ -22,7 +22,7 @@ OPTIONS = {
     "inspect": {"--bones", "--row", "--clip", "--bone", "--format"},
     "verify": {"--strict", "--format"},
     "export": {"--exr", "--output"},
-    "menagerie": {"--only"},
+    "menagerie": {"--only", "--animals", "--birds", "--seed", "--statistics", "--toy"},
 }
 GLOBAL_OPTIONS = {"--version", "--json-errors", "--quiet"}
 

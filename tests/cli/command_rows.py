@@ -77,6 +77,14 @@ def _compare_goat(case):
                "csv")
 
 
+def _bake_herd(case):
+    made = case.run("menagerie", "herd", "--animals", "62", "--seed", "5", "--only", "goat,bee", writes=("herd",))
+    names = ["bee.glb", "bee_0032.glb", "bee_0062.glb", "catalog.json", "goat.glb", "goat_0046.glb"]
+    case.equal((made.exit_code, sorted(case.output("herd"))), (0, names), "exit code and files of menagerie")
+    baked = case.bake("herd/catalog.json", "--models", "herd", "--no-measure")
+    case.equal(baked.exit_code, 0, "exit code of bake")
+
+
 def _goat_on_disk(case):
     """What compare says of mat4 is what a bake writes."""
     case.run("menagerie", "goats", "--only", "goat", writes=("goats",))
@@ -206,6 +214,7 @@ ROWS = [
     Row("B12", "inspect: text, json, one bone-row, wrong places", _inspect),
     Row("B13", "verify of a folder: text and json", _verify),
     Row("B14", "compare: the published bytes of the goat", _compare_goat),
+    Row("B14b", "menagerie --animals: a herd that bakes by its own catalog", _bake_herd),
     Row("B15", "bake: the published bytes of the goat", _goat_on_disk),
     Row("B16", "report: json, csv, text", _report),
     Row("B17", "export --exr: file and attributes", _export),

@@ -53,6 +53,7 @@ MISUSED = [
     ("X03j", ("report", "catalog.json", "--rates", "keys,fast"), ("fast",)),
     ("X03k", ("compare", "catalog.json", "--copies", "0"), ("--copies",)),
     ("X03l", ("menagerie", "models/m", "--only", "gaot"), ("gaot", "goat")),
+    ("X03m", ("menagerie", "models/m", "--animals", "3001"), ("--animals", "3001")),
 ]
 
 

@@ -59,7 +59,9 @@ double wrapped_phase(std::uint8_t wrap, double cycles) {
 double row_difference(const posepack_clip& clip, double cycles, const glm::vec3& rows) {
     const bool is_loop = clip.wrap == POSEPACK_WRAP_LOOP;
     const double count = clip.row_count;
-    const double expected = wrapped_phase(clip.wrap, cycles) * (is_loop ? count : count - 1.0);
+    const double position = wrapped_phase(clip.wrap, cycles) * (is_loop ? count : count - 1.0);
+    const bool is_held = clip.interpolation == POSEPACK_INTERPOLATION_STEP;
+    const double expected = is_held ? std::floor(position) : position;
     const double row = static_cast<double>(rows.x) - clip.first_row;
     const double next = static_cast<double>(rows.y) - clip.first_row;
     const double behind_row = row + 1.0 < count ? row + 1.0 : (is_loop ? 0.0 : row);

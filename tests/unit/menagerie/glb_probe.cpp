@@ -116,8 +116,12 @@ std::vector<glm::dmat4> GlbProbe::globals(const json& animation, std::size_t key
     for (const json& channel : animation.at("channels")) {
         const json& sampler = animation.at("samplers").at(channel.at("sampler").get<std::size_t>());
         const auto& output = values(sampler.at("output"));
+        // Each key of a cubic spline has its slopes before and behind its value (glTF 2.0, appendix C).
+        const bool cubic = sampler.value("interpolation", "LINEAR") == "CUBICSPLINE";
+        const std::size_t values_a_key = cubic ? 3 : 1;
+        const std::size_t held = output.size() == 2 * values_a_key ? 0 : key;
         set(locals.at(channel.at("target").at("node").get<std::size_t>()), channel.at("target").at("path"),
-            output.at(output.size() == 2 ? 0 : key));
+            output.at(held * values_a_key + (cubic ? 1 : 0)));
     }
     std::vector<glm::dmat4> globals(nodes.size());
     for (std::size_t index = 0; index < nodes.size(); ++index) globals[index] = matrix_of(locals[index]);
