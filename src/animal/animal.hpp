@@ -68,10 +68,12 @@ struct Bone {
     bool weighted = false;  // some vertex has a weight on it
 };
 
-// A node that draws a mesh with a skin. Its own transform is ignored (glTF 2.0 section 3.7.3.3).
+// A node that draws a mesh: with a skin, and then its own transform is ignored (glTF 2.0 section 3.7.3.3);
+// or, in a model without any skin, rigidly with one bone of its own.
 struct Mesh {
     std::string name;
-    std::uint32_t node = 0, mesh = 0, skin = 0;      // glTF indices
+    std::uint32_t node = 0, mesh = 0;                // glTF indices
+    std::uint32_t skin = kNone;                      // glTF index; kNone for a rigid mesh
     std::uint32_t first_joint = 0, joint_count = 0;  // into Animal::joint_map
     std::uint32_t first_vertex = 0, vertex_count = 0;
 };

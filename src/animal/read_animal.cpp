@@ -36,11 +36,10 @@ base::Result<Animal> read_animal(std::span<const std::uint8_t> bytes, const Read
     if (auto status = read_meshes(context); !status) return status.issue();
     if (auto status = read_clips(context); !status) return status.issue();
     if (animal.bones.empty())
-        return Issue{IssueCode::glb_no_skin, "skins",
-                     "expected a mesh with a skin; the clips move plain nodes only"};
+        return Issue{IssueCode::glb_no_mesh, "nodes", "expected a node with a mesh, found none"};
     if (animal.vertices.positions.empty())
-        return Issue{IssueCode::glb_no_skin, "meshes",
-                     "no skinned mesh has vertices with joints and weights"};
+        return Issue{IssueCode::glb_no_mesh, "meshes",
+                     "no mesh has vertices with positions, or joints and weights where it is skinned"};
     return animal;
 }
 

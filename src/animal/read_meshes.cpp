@@ -96,8 +96,16 @@ base::Status read_influence_set(ReadContext& context, const tinygltf::Primitive&
     return {};
 }
 
+// Every vertex of a rigid mesh follows the one bone of its node.
+void bind_rigidly(const Animal& animal, const Mesh& mesh, Primitive& out) {
+    out.influences = 1;
+    out.bones.assign(out.vertex_count, animal.joint_map[mesh.first_joint]);
+    out.weights.assign(out.vertex_count, 1.0f);
+}
+
 base::Status read_influences(ReadContext& context, const tinygltf::Primitive& source, const Mesh& mesh,
                              const std::string& where, Primitive& out) {
+    if (mesh.skin == kNone) return bind_rigidly(context.animal, mesh, out), base::Status{};
     std::size_t sets = 1;
     while (sets < 4 && attribute(source, fmt::format("JOINTS_{}", sets)) >= 0) ++sets;
     out.influences = sets * 4;
@@ -149,7 +157,8 @@ void note_left_out(ReadContext& context) {
     const auto& model = context.model();
     std::uint32_t rigid_meshes = 0;
     for (const auto& node : model.nodes) rigid_meshes += node.mesh >= 0 && node.skin < 0 ? 1 : 0;
-    if (rigid_meshes > 0)
+    const bool is_rigid = !context.animal.meshes.empty() && context.animal.meshes.front().skin == kNone;
+    if (rigid_meshes > 0 && !is_rigid)
         context.note(IssueCode::warn_left_out, "nodes",
                      fmt::format("{} rigid meshes (without a skin) are not in the palette", rigid_meshes));
     std::uint32_t morphed = 0;
@@ -165,7 +174,9 @@ base::Status read_mesh(ReadContext& context, Mesh& mesh) {
     const auto& primitives = context.model().meshes[mesh.mesh].primitives;
     for (std::size_t p = 0; p < primitives.size(); ++p) {
         const std::string where = fmt::format("meshes/{}/primitives/{}", mesh.mesh, p);
-        if (attribute(primitives[p], "POSITION") < 0 || attribute(primitives[p], "JOINTS_0") < 0) {
+        const bool needs_joints = mesh.skin != kNone;
+        if (attribute(primitives[p], "POSITION") < 0 ||
+            (needs_joints && attribute(primitives[p], "JOINTS_0") < 0)) {
             context.note(IssueCode::warn_left_out, where,
                          "has no positions or no joints: not in the palette");
             continue;

@@ -24,8 +24,9 @@ struct ReadContext {
 // Errors: E-GLB-REFERENCE, E-GLB-NODE-LOOP, E-GLB-QUAT, E-GLB-IBM, E-LIM-COUNT, E-LIM-NODE-DEPTH.
 base::Status read_nodes(ReadContext& context);
 
-// Bones, joint map and meshes (without vertices) of every node that has a mesh and a skin.
-// Errors: E-GLB-REFERENCE, E-GLB-SKIN-JOINT, E-GLB-IBM, E-GLB-IBM-COUNT, E-LIM-BONES.
+// Bones, joint map and meshes (without vertices) of every node that has a mesh and a skin; of every node that
+// has a mesh where no node has a skin. Errors: E-GLB-REFERENCE, E-GLB-SKIN-JOINT, E-GLB-IBM, E-GLB-IBM-COUNT,
+// E-LIM-BONES.
 base::Status read_skins(ReadContext& context);
 
 // Vertices of every skinned mesh; names what is left out.

@@ -118,9 +118,10 @@ def _morph_only(document):
                                                   "output": document.names["factors"]}]}]
 
 
-def _no_skin(document):
+def _no_mesh(document):
     document.json.pop("skins")
     document.json["nodes"][0].pop("skin")
+    document.json["nodes"][0].pop("mesh")
 
 
 # name, title, change, exit code, issue (None: any of that exit code), mentions
@@ -133,7 +134,7 @@ REFUSED = [
     ("R14", "rest rotation of zeros", _zero_rest, 3, "E-GLB-QUAT", ()),
     ("R15", "clip without a channel", _no_moving_channel, 5, "E-GLB-NO-ANIMATION", ()),
     ("R16", "moves by morph targets only", _morph_only, 5, "E-GLB-MORPH-ONLY", ("VAT",)),
-    ("R17", "moves nodes without a skin", _no_skin, 5, "E-GLB-NO-SKIN", ()),
+    ("R17", "moves nodes without a mesh", _no_mesh, 5, "E-GLB-NO-MESH", ()),
 ]
 
 

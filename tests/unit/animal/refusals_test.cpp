@@ -147,7 +147,7 @@ void matrix_on_animated_node(GlbBuilder& glb) {
 
 const std::vector<Refusal>& structure_refusals() {
     static const std::vector<Refusal> rows{
-        {"mesh without primitives", IssueCode::glb_no_skin,
+        {"mesh without primitives", IssueCode::glb_no_mesh,
          [](GlbBuilder& g) { g.document["meshes"][0].erase("primitives"); }},
         {"accessor without a type", IssueCode::glb_schema,
          [](GlbBuilder& g) { g.attribute(0, "POSITION").erase("type"); }},
@@ -221,9 +221,9 @@ const std::vector<Refusal>& structure_refusals() {
              g.set(g.document["accessors"][g.document["skins"][0]["inverseBindMatrices"].get<std::size_t>()],
                    12, kNan);
          }},
-        {"no skin is used", IssueCode::glb_no_skin,
-         [](GlbBuilder& g) { g.document["nodes"][5].erase("skin"); }},
-        {"no vertex has joints", IssueCode::glb_no_skin,
+        {"no node has a mesh", IssueCode::glb_no_mesh,
+         [](GlbBuilder& g) { g.document["nodes"][5].erase("skin"), g.document["nodes"][5].erase("mesh"); }},
+        {"no vertex has joints", IssueCode::glb_no_mesh,
          [](GlbBuilder& g) { g.document["meshes"][0]["primitives"][0]["attributes"].erase("JOINTS_0"); }},
         {"no animations", IssueCode::glb_no_animation, [](GlbBuilder& g) { g.document.erase("animations"); }},
         {"animations without channels", IssueCode::glb_no_animation,
