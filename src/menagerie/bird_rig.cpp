@@ -32,6 +32,8 @@ void add_trunk(Bird& animal) {
     add_joint(rig, "Head_end", j.head, tip, tip + kAxisZ * 0.01);
     const Vec3 hinge = head + Vec3(0.0, s.head_radius * 0.02, s.head_radius * 0.75);
     j.beak = add_joint(rig, "Beak", j.head, hinge, hinge + kAxisZ * s.beak_length);
+    const Vec3 beak_tip = hinge + kAxisZ * s.beak_length;
+    add_joint(rig, "Beak_end", j.beak, beak_tip, beak_tip + kAxisZ * 0.01);
     const Vec3 eye = head + Vec3(s.head_radius * 0.84, s.head_radius * 0.30, s.head_radius * 0.48);
     j.eye = add_joint_pair(rig, "Eye", j.head, eye, eye + kAxisX * 0.005);
     const Vec3 breast = hip + way * 0.75 - kAxisY * (s.body_depth * 0.45);
