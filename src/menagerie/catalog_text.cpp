@@ -81,6 +81,7 @@ CatalogAnimal catalog_animal(std::string id, const Model& model) {
 
 std::string catalog_text(const std::vector<CatalogAnimal>& animals, const std::string& schema_path) {
     std::vector<std::string> entries;
+    entries.reserve(animals.size());
     for (const CatalogAnimal& animal : animals) {
         entries.push_back(
             fmt::format("    \"{}\": {{\n      \"model\": \"{}\",\n      \"default_state\": \"idle\",\n"

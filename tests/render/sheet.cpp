@@ -113,8 +113,9 @@ class Painter {
         for (std::size_t shot = 0; shot < kShots.size(); ++shot) {
             const glm::vec2 middle = boxes[shot].middle();
             const float reach = half * 1.12f;
-            const glm::mat4 projection = glm::ortho(middle.x - reach, middle.x + reach, middle.y - reach,
-                                                    middle.y + reach, 1.0f - 40.0f * half, 1.0f + 40.0f * half);
+            const glm::mat4 projection =
+                glm::ortho(middle.x - reach, middle.x + reach, middle.y - reach, middle.y + reach,
+                           1.0f - 40.0f * half, 1.0f + 40.0f * half);
             glViewport(left + static_cast<int>(shot) * side, bottom, side, side);
             program_.set("clip_from_model", projection * view);
             program_.set("clip", static_cast<int>(clip_of(animal, kShots[shot].state)));
