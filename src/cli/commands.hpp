@@ -21,6 +21,7 @@ std::span<const Command> commands();
 
 Runner add_bake(CLI::App& app);
 Runner add_compare(CLI::App& app);
+Runner add_doctor(CLI::App& app);
 Runner add_export(CLI::App& app);
 Runner add_inspect(CLI::App& app);
 Runner add_menagerie(CLI::App& app);
