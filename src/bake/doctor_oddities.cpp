@@ -98,10 +98,8 @@ void look_at_mesh_nodes(const Animal& animal, Diagnosis& diagnosis) {
     }
     if (moved > 0)
         add(diagnosis, "mesh-node-moved",
-            "{} with a skin whose own node is moved, turned or scaled: glTF ignores that, the joints alone "
-            "place "
-            "the mesh.",
-            counted(moved, "mesh"));
+            "The node of {} is moved, turned or scaled: glTF ignores that, the joints alone place the mesh.",
+            counted(moved, "skinned model part"));
 }
 
 void look_at_clips(Diagnosis& diagnosis) {

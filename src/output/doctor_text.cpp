@@ -37,13 +37,19 @@ std::size_t count_of(const Diagnosis& diagnosis, Treatment treatment) {
                       [&](const DiagnosedFinding& finding) { return finding.treatment == treatment; }));
 }
 
+// "1 repair", "2 repairs".
+std::string counted(std::size_t count, const char* one, const char* many) {
+    return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
 void write_verdict(std::string& out, const Diagnosis& diagnosis) {
     const std::string strict = diagnosis.is_strict ? " under --strict" : "";
     if (!diagnosis.refusal) {
         out += fmt::format("{}: can be baked{}.\n", base::printable(diagnosis.file_name), strict);
-        out += fmt::format("{} repairs, {} parts left out, {} oddities that need nothing done.\n",
-                           count_of(diagnosis, Treatment::repair), count_of(diagnosis, Treatment::left_out),
-                           diagnosis.oddities.size());
+        out += fmt::format("{}, {} left out, {} to know of.\n",
+                           counted(count_of(diagnosis, Treatment::repair), "repair", "repairs"),
+                           counted(count_of(diagnosis, Treatment::left_out), "part", "parts"),
+                           counted(diagnosis.oddities.size(), "oddity", "oddities"));
         return;
     }
     const base::IssueKind& kind = issue_kind(diagnosis.refusal->code);
@@ -115,6 +121,11 @@ std::string end_of(const DiagnosedClip& clip) {
                                  : "loops (one more step to its first pose)";
 }
 
+std::string error_of(const Diagnosis& diagnosis, const DiagnosedClip& clip) {
+    const bool is_measured = clip.is_planned && diagnosis.bake && diagnosis.bake->is_measured;
+    return is_measured ? fmt::format("{:.3g}", clip.error_max_m * 1e3) : "-";
+}
+
 void write_clips(std::string& out, const Diagnosis& diagnosis) {
     if (diagnosis.clips.empty()) return;
     out += fmt::format("\nClips ({})\n", diagnosis.clips.size());
@@ -126,6 +137,7 @@ void write_clips(std::string& out, const Diagnosis& diagnosis) {
                      {"keys/s"},
                      {"between keys", Align::left},
                      {"rows"},
+                     {"error mm"},
                      {"at its end", Align::left}};
     for (std::size_t c = 0; c < std::min(diagnosis.clips.size(), kMostClips); ++c) {
         const DiagnosedClip& clip = diagnosis.clips[c];
@@ -133,32 +145,48 @@ void write_clips(std::string& out, const Diagnosis& diagnosis) {
                               fmt::format("{:.3f}", clip.start_s), std::to_string(clip.key_count),
                               clip.key_rate_hz > 0 ? fmt::format("{:.4g}", clip.key_rate_hz) : "-",
                               keys_of(clip), clip.is_planned ? std::to_string(clip.row_count) : "-",
-                              end_of(clip)});
+                              error_of(diagnosis, clip), end_of(clip)});
     }
     out += format_text(table);
     if (diagnosis.clips.size() > kMostClips)
         out += fmt::format("and {} more\n", diagnosis.clips.size() - kMostClips);
     out +=
         "keys: different times at which something is set. keys/s: the even grid they lie on; - for none.\n"
-        "rows: poses that a bake stores.\n";
+        "rows: poses that a bake stores. error: largest distance of a vertex from the source, if a unit is a "
+        "metre.\n";
 }
 
 void write_oddities(std::string& out, const Diagnosis& diagnosis) {
     if (diagnosis.oddities.empty()) return;
-    out += "\nWhat is odd, and needs nothing done\n";
+    out += "\nWhat is odd (nothing needs to be done)\n";
     for (const Oddity& oddity : diagnosis.oddities)
         out += fmt::format("  - {}\n", base::printable(oddity.detail));
 }
 
+// The place without the name of the file, which heads the report.
+std::string place_of(const Diagnosis& diagnosis, const base::Issue& issue) {
+    const std::string prefix = diagnosis.file_name + ": ";
+    const bool has_prefix = issue.where.starts_with(prefix);
+    return base::printable(has_prefix ? issue.where.substr(prefix.size()) : issue.where);
+}
+
+// One item a kind of finding, its places below it.
 void write_findings(std::string& out, const Diagnosis& diagnosis, Treatment treatment, const char* title) {
     if (count_of(diagnosis, treatment) == 0) return;
     out += fmt::format("\n{}\n", title);
-    for (const DiagnosedFinding& finding : diagnosis.findings) {
-        if (finding.treatment != treatment) continue;
-        const base::IssueKind& kind = issue_kind(finding.issue.code);
-        out += fmt::format("  - {} {}: {}{}\n", kind.meaning, base::printable(finding.issue.where),
-                           base::printable(finding.issue.detail),
-                           kind.advice.empty() ? "" : fmt::format("; to mend it: {}", kind.advice));
+    std::vector<base::IssueCode> written;
+    for (const DiagnosedFinding& first : diagnosis.findings) {
+        const base::IssueCode code = first.issue.code;
+        if (first.treatment != treatment || std::find(written.begin(), written.end(), code) != written.end())
+            continue;
+        written.push_back(code);
+        const base::IssueKind& kind = issue_kind(code);
+        out += fmt::format("  - {}", kind.meaning);
+        out += kind.advice.empty() ? "\n" : fmt::format(" To mend it: {}.\n", kind.advice);
+        for (const DiagnosedFinding& finding : diagnosis.findings)
+            if (finding.issue.code == code)
+                out += fmt::format("    {}: {}\n", place_of(diagnosis, finding.issue),
+                                   base::printable(finding.issue.detail));
     }
 }
 

@@ -19,6 +19,7 @@ import behaviour_rows
 import catalog_rows
 import command_rows
 import container_rows
+import doctor_rows
 import environment_rows
 import glb_rows
 import limit_rows
@@ -29,7 +30,7 @@ import repair_rows
 from harness import Case, Skip
 
 MODULES = [glb_rows, matrix_rows, repair_rows, limit_rows, catalog_rows, container_rows, manifest_rows,
-           environment_rows, behaviour_rows, command_rows, mutation_rows]
+           environment_rows, behaviour_rows, command_rows, doctor_rows, mutation_rows]
 
 
 class Settings:

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Checks every catalog of catalogs/ and tests/data, the cases of catalog_cases.json, and the manifest that the
-// program given as argument prints, against the schemas.
-// node check_schemas.mjs SAMPLE_MANIFEST_PROGRAM [MANIFEST...]
-import { execFileSync } from 'node:child_process';
-import { existsSync, readdirSync, readFileSync } from 'node:fs';
+// Checks every catalog of catalogs/ and tests/data, the cases of catalog_cases.json, the manifest that the first
+// program given prints, and what `posepack doctor` says of a good and of two refused models, against the schemas.
+// node check_schemas.mjs SAMPLE_MANIFEST_PROGRAM POSEPACK [MANIFEST...]
+import { execFileSync, spawnSync } from 'node:child_process';
+import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
 import { dirname, join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
@@ -67,7 +68,7 @@ for (const { name, valid, schema_cannot_say: beyond, catalog } of cases) {
     expectValidity(validateCatalog, name, catalog, valid || beyond === true);
 }
 
-const [sampleProgram, ...manifestPaths] = process.argv.slice(2);
+const [sampleProgram, posepack, ...manifestPaths] = process.argv.slice(2);
 const manifests = manifestPaths.map((path) => [path, readJson(path)]);
 if (sampleProgram) manifests.push(['sample manifest', JSON.parse(execFileSync(sampleProgram, { encoding: 'utf8' }))]);
 for (const [label, json] of manifests) {
@@ -75,8 +76,46 @@ for (const [label, json] of manifests) {
     expectStrictObjects(validateManifest, label, json);
 }
 
-console.log(`${catalogs.length} catalogs, ${cases.length} cases, ${manifests.length} manifests: ` +
-    `${checks} checks, ${failures} failures`);
-const sawAll = catalogs.length > 0 && cases.length > 0 && manifests.length > 0;
+// A generated animal, measured and not; the same cut off, so that nothing of it can be read; and without its
+// animations, so that it is refused after its glTF was read.
+function diagnoses(program) {
+    const folder = mkdtempSync(join(tmpdir(), 'posepack-schemas-'));
+    try {
+        execFileSync(program, ['menagerie', folder, '--only', 'goat'], { stdio: 'ignore' });
+        const goat = readFileSync(join(folder, 'goat.glb'));
+        const still = Buffer.from(goat);
+        const key = still.indexOf('"animations"');
+        if (key < 0) throw new Error('expected the goat to have animations');
+        still.write('"animationz"', key);
+        writeFileSync(join(folder, 'cut.glb'), goat.subarray(0, 1000));
+        writeFileSync(join(folder, 'still.glb'), still);
+        const examine = (name, exitCode, ...options) => {
+            const run = spawnSync(program, ['doctor', join(folder, name), '--format', 'json', ...options],
+                { encoding: 'utf8' });
+            if (run.status !== exitCode) throw new Error(`${name}: expected ${exitCode}, found ${run.status}`);
+            return [`doctor ${name} ${options.join(' ')}`, JSON.parse(run.stdout)];
+        };
+        return [examine('goat.glb', 0), examine('goat.glb', 0, '--no-measure'), examine('cut.glb', 3),
+            examine('still.glb', 5)];
+    } finally {
+        rmSync(folder, { recursive: true });
+    }
+}
+
+const validateDoctor = compile('doctor-1.schema.json');
+const diagnosed = posepack ? diagnoses(posepack) : [];
+for (const [label, json] of diagnosed) {
+    expectValidity(validateDoctor, label, json, true);
+    expectStrictObjects(validateDoctor, label, json);
+    for (const key of Object.keys(json)) {
+        const { [key]: _, ...less } = json;
+        expectValidity(validateDoctor, `${label}: without ${key}`, less, false);
+    }
+}
+
+console.log(`${catalogs.length} catalogs, ${cases.length} cases, ${manifests.length} manifests, ` +
+    `${diagnosed.length} diagnoses: ${checks} checks, ${failures} failures`);
+const sawAll = catalogs.length > 0 && cases.length > 0 && manifests.length > 0 &&
+    diagnosed.length > 0;
 if (!sawAll) console.log('expected at least one of each');
 process.exit(failures === 0 && sawAll ? 0 : 1);
