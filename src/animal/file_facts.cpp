@@ -78,6 +78,8 @@ void count_channels(const tinygltf::Model& model, FileFacts& facts) {
             const bool is_node = path == "translation" || path == "rotation" || path == "scale";
             if (path == "weights")
                 ++out.morph_channels;
+            else if (path == "pointer")
+                ++out.pointer_channels;
             else if (is_node && channel.target_node >= 0)
                 ++out.node_channels;
             else

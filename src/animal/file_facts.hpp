@@ -23,6 +23,7 @@ struct AnimationFacts {
     std::string name;                    // as in the file; may be empty
     std::uint32_t node_channels = 0;     // translation, rotation, scale
     std::uint32_t morph_channels = 0;    // weights of morph targets
+    std::uint32_t pointer_channels = 0;  // aimed by KHR_animation_pointer, at anything
     std::uint32_t unknown_channels = 0;  // anything else, and channels without a target node
 };
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "bake/doctor.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "animal/names.hpp"
 #include "animal/read_animal.hpp"
 #include "bake/bake_animal.hpp"
 #include "motion/clip_sampler.hpp"
@@ -117,13 +120,15 @@ output::DiagnosedClip clip_of(const Animal& animal, const animal::Clip& clip) {
     return out;
 }
 
-// Clips keep the file's order, so the n-th animation with a channel that moves a node is the n-th clip.
+// Clips keep the file's order; an animation that moves no node is no clip.
 void count_morph_channels(Diagnosis& diagnosis) {
     std::size_t clip = 0;
-    for (const animal::AnimationFacts& animation : diagnosis.facts->animations) {
-        if (animation.node_channels == 0) continue;
-        if (clip == diagnosis.clips.size()) return;
-        diagnosis.clips[clip++].morph_channels = animation.morph_channels;
+    const auto& animations = diagnosis.facts->animations;
+    for (std::size_t a = 0; a < animations.size() && clip < diagnosis.clips.size(); ++a) {
+        const auto name = animal::usable_name(animations[a].name, fmt::format("clip_{}", a));
+        const bool may_move = animations[a].node_channels + animations[a].pointer_channels > 0;
+        if (may_move && name && name.value() == diagnosis.clips[clip].source_name)
+            diagnosis.clips[clip++].morph_channels = animations[a].morph_channels;
     }
 }
 

@@ -24,6 +24,7 @@ json animation_json(const animal::AnimationFacts& animation) {
     return {{"name", animation.name},
             {"node_channels", animation.node_channels},
             {"morph_channels", animation.morph_channels},
+            {"pointer_channels", animation.pointer_channels},
             {"unknown_channels", animation.unknown_channels}};
 }
 

@@ -82,7 +82,7 @@ void write_contents(std::string& out, const Diagnosis& diagnosis) {
          fmt::format("{} (places of the model, each relative to its parent)", facts.node_count));
     line(out, "meshes",
          fmt::format(
-             "{} drawn with a skin (bent by joints), {} rigid; {} triangles, at most {} joints a vertex",
+             "{} drawn with a skin (bent by joints), {} rigid; {} triangles, room for {} joints a vertex",
              facts.skinned_node_count, facts.rigid_nodes.size(), base::grouped(facts.triangle_count),
              facts.influence_set_count * 4));
     std::uint64_t joints = 0;
