@@ -35,10 +35,11 @@ class Stopwatch {
 };
 
 // What determines the bytes of a container, as canonical JSON: stored in it, and digested in its header.
-std::string recipe_text(const recipe::AnimalEntry& entry, const base::Sha256& glb_digest) {
+std::string recipe_text(const recipe::AnimalEntry& entry, const base::Sha256& glb_digest, bool measure) {
     const nlohmann::json recipe{{"bake_abi", POSEPACK_BAKE_ABI},
                                 {"entry", nlohmann::json::parse(entry.canonical_json)},
-                                {"glb_sha256", base::hexadecimal(glb_digest)}};
+                                {"glb_sha256", base::hexadecimal(glb_digest)},
+                                {"measure", measure}};
     return recipe.dump();
 }
 
@@ -127,15 +128,16 @@ base::Result<Palette> make_palette(const recipe::AnimalEntry& entry, const Anima
     return palette;
 }
 
-base::Status check_with_loader(const base::Bytes& container) {
+}  // namespace
+
+base::Status check_own_bytes(std::span<const std::uint8_t> container) {
     posepack_view view;
     const posepack_result result = posepack_open(&view, container.data(), container.size());
     if (result == POSEPACK_OK) return {};
-    return Issue{IssueCode::pack_invalid, "",
-                 fmt::format("the loader refuses the container just made: {}", posepack_result_name(result))};
+    return Issue{IssueCode::internal, "",
+                 fmt::format("expected a container that the loader opens, it answers {} to the one just made",
+                             posepack_result_name(result))};
 }
-
-}  // namespace
 
 base::Result<BakedAnimal> bake_animal(const recipe::AnimalEntry& entry, std::span<const std::uint8_t> glb,
                                       const AnimalOptions& options) {
@@ -152,7 +154,7 @@ base::Result<BakedAnimal> bake_animal(const recipe::AnimalEntry& entry, std::spa
     if (!palette) return base::at(entry.id, palette.issue());
     for (const Issue& remark : remarks) baked.findings.push_back(base::at(entry.id, remark));
 
-    const std::string recipe = recipe_text(entry, glb_digest);
+    const std::string recipe = recipe_text(entry, glb_digest, options.measure);
     baked.container = palette::write_container(animal.value(), palette.value(), recipe);
     palette.value().pixels = {};  // the container has them now
     baked.bake_s = bake_watch.elapsed_s();
@@ -168,7 +170,7 @@ base::Result<BakedAnimal> bake_animal(const recipe::AnimalEntry& entry, std::spa
     } else {
         baked.record = describe(entry, animal.value(), palette.value(), nullptr);
     }
-    if (auto status = check_with_loader(baked.container); !status) return base::at(entry.id, status.issue());
+    if (auto status = check_own_bytes(baked.container); !status) return base::at(entry.id, status.issue());
     baked.measure_s = measure_watch.elapsed_s();
 
     recipe::BakeRecord& record = baked.record;

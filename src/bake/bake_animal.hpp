@@ -28,9 +28,13 @@ struct BakedAnimal {
     double measure_s = 0.0;
 };
 
+// Opens bytes that this program has just written. A refusal is our own fault, not that of a file that somebody
+// gave. Errors: E-INTERNAL.
+base::Status check_own_bytes(std::span<const std::uint8_t> container);
+
 // Bakes `entry` from `glb`. A pure function of its arguments and the version of posepack, but for the times.
 // Errors: those of read_animal, select_clips and choose_states, E-LIM-ROWS, E-LIM-TEXTURE, E-LIM-CONTAINER,
-// E-LIM-HALF-RANGE, E-LIM-FLOAT-RANGE.
+// E-LIM-HALF-RANGE, E-LIM-FLOAT-RANGE; E-INTERNAL where the loader refuses what was written.
 base::Result<BakedAnimal> bake_animal(const recipe::AnimalEntry& entry, std::span<const std::uint8_t> glb,
                                       const AnimalOptions& options);
 

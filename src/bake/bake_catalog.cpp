@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "animal/read_animal.hpp"
 #include "bake/workers.hpp"
 #include "base/files.hpp"
+#include "base/interrupt.hpp"
 #include "base/sha256.hpp"
 #include "base/text.hpp"
 #include "posepack/format.h"
@@ -52,7 +54,8 @@ std::string options_text(const CatalogSource& source, const AnimalOptions& optio
     if (o.row_pitch) json["row_pitch"] = name_of(*o.row_pitch);
     if (o.caps) json["caps"] = name_of(*o.caps);
     if (source.rate_hz) json["rate_hz"] = *source.rate_hz;
-    if (!source.only.empty()) json["only"] = source.only;
+    // In one order, each once: what is asked for does not depend on how.
+    if (!source.only.empty()) json["only"] = std::set<std::string>(source.only.begin(), source.only.end());
     if (options.strict) json["strict"] = true;
     if (!options.measure) json["measure"] = false;
     if (options.compare_vat) json["compare_vat"] = true;
@@ -66,6 +69,7 @@ struct Slot {
     std::vector<Issue> findings;
     std::optional<Issue> failure;
     bool done = false;
+    bool is_environment = false;  // the failure is the output folder's: nothing after it would fare better
 };
 
 class CatalogBaker {
@@ -76,7 +80,7 @@ class CatalogBaker {
     std::vector<Slot> run() {
         run_jobs(slots_.size(), options_.jobs, [&](std::size_t i) {
             bake_one(i);
-            return options_.keep_going || !slots_[i].failure;
+            return !slots_[i].failure || (options_.keep_going && !slots_[i].is_environment);
         });
         return std::move(slots_);
     }
@@ -98,6 +102,7 @@ class CatalogBaker {
         }
         if (auto status = folder_.stage(baked.value().record.container, baked.value().container); !status) {
             slot.failure = status.issue();
+            slot.is_environment = true;
             return;
         }
         slot.record = std::move(baked.value().record);
@@ -110,10 +115,6 @@ class CatalogBaker {
     base::OutputFolder& folder_;
     std::vector<Slot> slots_;
 };
-
-bool is_environment(const Issue& issue) {
-    return issue_kind(issue.code).exit_code == base::ExitCode::io;
-}
 
 }  // namespace
 
@@ -147,12 +148,12 @@ base::Result<BakeOutcome> bake_catalog(const CatalogSource& source, const BakeOp
     if (!folder) return folder.issue();
 
     std::vector<Slot> slots = CatalogBaker(file.value(), options, folder.value()).run();
+    if (auto status = base::check_interrupt(); !status) return status.issue();
     BakeOutcome outcome;
     for (Slot& slot : slots) {
         if (!slot.done) continue;
         if (slot.failure) {
-            // A full disk is no fault of one animal: nothing after it would fare better.
-            if (!options.keep_going || is_environment(*slot.failure)) return *slot.failure;
+            if (!options.keep_going || slot.is_environment) return *slot.failure;
             outcome.failures.push_back(std::move(*slot.failure));
             continue;
         }

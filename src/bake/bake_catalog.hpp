@@ -39,7 +39,7 @@ struct BakeOptions {
     std::filesystem::path output;
     AnimalOptions animal;
     unsigned jobs = 0;        // threads; 0: one a core
-    bool keep_going = false;  // bake the rest when an animal fails
+    bool keep_going = false;  // bake the rest when an animal fails; not when the output folder does
     bool sync_to_disk = true;
     double lock_timeout_s = 10.0;
 };
@@ -59,7 +59,8 @@ struct BakeOutcome {
 
 // Bakes every animal of the catalog into options.output. Without keep_going the first failing animal (by id)
 // is the error and nothing is published; the old content of the folder stays whole.
-// Errors: those of open_catalog, read_model, bake_animal and OutputFolder.
+// An interrupt ends it between two animals, or before anything is renamed.
+// Errors: those of open_catalog, read_model, bake_animal and OutputFolder, E-INTERRUPTED.
 base::Result<BakeOutcome> bake_catalog(const CatalogSource& source, const BakeOptions& options);
 
 }  // namespace posepack::bake

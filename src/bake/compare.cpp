@@ -5,6 +5,7 @@
 
 #include "bake/records.hpp"
 #include "bake/workers.hpp"
+#include "base/interrupt.hpp"
 
 namespace posepack::bake {
 namespace {
@@ -39,6 +40,7 @@ base::Result<Comparison> compare_catalog(const CatalogSource& source, std::uint3
         add(rows[i].vram, vram_of(record.row_count, record.bone_count, record.vertex_count), copies);
         return true;
     });
+    if (auto status = base::check_interrupt(); !status) return status.issue();
     for (const auto& failure : failures)
         if (failure) return *failure;
     Comparison comparison{std::move(rows), {}};

@@ -13,8 +13,11 @@ recipe::ErrorRecord error_record(const palette::ClipError& error, const animal::
     record.max = error.max;
     record.p999 = error.p999;
     record.rms = error.rms;
-    record.max_m =
-        static_cast<float>(static_cast<double>(error.max) * palette.radius * palette.metres_per_unit);
+    // From the radius as the header has it, so that a reader of the container finds the same metres.
+    const double radius_m = static_cast<float>(palette.radius * palette.metres_per_unit);
+    record.max_m = static_cast<float>(static_cast<double>(error.max) * radius_m);
+    record.p999_m = static_cast<float>(static_cast<double>(error.p999) * radius_m);
+    record.rms_m = static_cast<float>(static_cast<double>(error.rms) * radius_m);
     record.normal_max_deg = error.normal_max_deg;
     record.normal_p999_deg = error.normal_p999_deg;
     record.normal_rms_deg = error.normal_rms_deg;
@@ -51,7 +54,7 @@ recipe::BakeRecord describe(const recipe::AnimalEntry& entry, const animal::Anim
         out.first_row = clip.first_row;
         out.row_count = clip.plan.row_count;
         out.rate_hz = static_cast<float>(clip.plan.rate_hz);
-        out.period_s = static_cast<float>(clip.plan.period_s);
+        out.period_s = clip.plan.row_count == 1 ? 0.0f : static_cast<float>(clip.plan.period_s);
         out.start_s = static_cast<float>(animal.clips[clip.source].start_s);
         out.wrap = name_of(clip.plan.wrap);
         out.seam = name_of(clip.plan.seam);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "animal/read_animal.hpp"
+#include "base/interrupt.hpp"
 #include "measure/decode_cost.hpp"
 #include "motion/skin_set.hpp"
 #include "posepack/loader.h"
@@ -46,6 +47,7 @@ base::Result<std::vector<ReportRow>> report_catalog(const CatalogSource& source,
         for (const recipe::Encoding encoding : kEncodings)
             for (const recipe::TexelFormat format : kFormats)
                 for (const auto& rate_hz : rates_hz) {
+                    if (auto status = base::check_interrupt(); !status) return status.issue();
                     recipe::AnimalEntry form = entry;
                     form.output.encoding = encoding;
                     form.output.texel_format = format;

@@ -7,7 +7,9 @@
 #include <cstring>
 #include <set>
 
+#include "bake/check_record.hpp"
 #include "base/files.hpp"
+#include "base/interrupt.hpp"
 #include "base/sha256.hpp"
 #include "posepack/loader.h"
 #include "recipe/manifest.hpp"
@@ -38,24 +40,8 @@ base::Status check_container(const base::Bytes& bytes, const std::string& where,
     return check_provenance(view, where);
 }
 
-base::Status check_against(const recipe::BakeRecord& record, const base::Bytes& bytes,
-                           const posepack_view& view) {
-    const auto differs = [&](const char* what, std::uint64_t listed, std::uint64_t found) {
-        return Issue{IssueCode::man_hash, record.container,
-                     fmt::format("the manifest lists {} {}, the container has {}", listed, what, found)};
-    };
-    if (record.container_bytes != bytes.size()) return differs("bytes", record.container_bytes, bytes.size());
-    if (record.bone_count != view.header.bone_count)
-        return differs("bones", record.bone_count, view.header.bone_count);
-    if (record.row_count != view.header.row_count)
-        return differs("rows", record.row_count, view.header.row_count);
-    if (record.clips.size() != view.header.clip_count)
-        return differs("clips", record.clips.size(), view.header.clip_count);
-    return {};
-}
-
 void check_listed(const std::filesystem::path& folder, const recipe::BakeRecord& record,
-                  VerifyOutcome& outcome) {
+                  std::uint32_t bake_abi, VerifyOutcome& outcome) {
     const std::filesystem::path path = folder / record.container;
     std::error_code error;
     if (!std::filesystem::exists(path, error)) {
@@ -79,8 +65,9 @@ void check_listed(const std::filesystem::path& folder, const recipe::BakeRecord&
         outcome.findings.push_back(
             {IssueCode::man_hash, record.container,
              fmt::format("expected SHA-256 {}, found {}", record.container_sha256, digest)});
-    } else if (const auto same = check_against(record, bytes.value(), view); !same) {
-        outcome.findings.push_back(same.issue());
+    } else {
+        const std::vector<Issue> fields = check_record(record, bake_abi, bytes.value(), view);
+        outcome.findings.insert(outcome.findings.end(), fields.begin(), fields.end());
     }
 }
 
@@ -106,7 +93,10 @@ base::Result<VerifyOutcome> verify_folder(const std::filesystem::path& folder, b
         recipe::read_manifest({reinterpret_cast<const char*>(bytes.value().data()), bytes.value().size()});
     if (!manifest) return base::at(std::string(recipe::kManifestName), manifest.issue());
     VerifyOutcome outcome;
-    for (const recipe::BakeRecord& record : manifest.value().records) check_listed(folder, record, outcome);
+    for (const recipe::BakeRecord& record : manifest.value().records) {
+        if (auto status = base::check_interrupt(); !status) return status.issue();
+        check_listed(folder, record, manifest.value().bake_abi, outcome);
+    }
     check_strays(folder, manifest.value(), strict, outcome);
     return outcome;
 }

@@ -17,9 +17,10 @@ struct VerifyOutcome {
 };
 
 // `path` is a container or a folder with a manifest. Every rule of the format is checked by the loader; a
-// folder's containers are compared with the manifest by digest, size and counts.
+// folder's containers are compared with the manifest by digest and by every field they can answer
+// (bake/check_record.hpp).
 //   strict  a container that is not listed is an error, not a warning
-// Errors: E-IO-*, E-MAN-JSON, E-MAN-VERSION; what is wrong with containers is in the outcome.
+// Errors: E-IO-*, E-MAN-JSON, E-MAN-VERSION, E-INTERRUPTED; what is wrong with containers is in the outcome.
 base::Result<VerifyOutcome> verify(const std::filesystem::path& path, bool strict);
 
 }  // namespace posepack::bake

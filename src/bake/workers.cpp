@@ -8,6 +8,8 @@
 #include <thread>
 #include <vector>
 
+#include "base/interrupt.hpp"
+
 namespace posepack::bake {
 
 void run_jobs(std::size_t count, unsigned thread_count, const std::function<bool(std::size_t)>& job) {
@@ -17,7 +19,7 @@ void run_jobs(std::size_t count, unsigned thread_count, const std::function<bool
     std::exception_ptr thrown;
     std::mutex thrown_mutex;
     const auto work = [&] {
-        while (!stop) {
+        while (!stop && !base::interrupt_requested()) {
             const std::size_t index = next++;
             if (index >= count) return;
             try {

@@ -19,6 +19,7 @@
 #include <thread>
 #include <utility>
 
+#include "base/interrupt.hpp"
 #include "base/text.hpp"
 
 namespace posepack::base {
@@ -163,8 +164,10 @@ Result<Descriptor> lock_folder(int folder, const fs::path& path, double timeout_
     if (!lock.is_open()) return write_issue(path, "a writable folder", errno);
     const Clock::time_point start = Clock::now();
     while (::flock(lock.get(), LOCK_EX | LOCK_NB) != 0) {
-        if (errno == EINTR) continue;
-        if (errno != EWOULDBLOCK) return write_issue(path / kLockName, "a file that can be locked", errno);
+        const int error = errno;
+        if (Status status = check_interrupt(); !status) return status.issue();
+        if (error == EINTR) continue;
+        if (error != EWOULDBLOCK) return write_issue(path / kLockName, "a file that can be locked", error);
         const double waited_s = std::chrono::duration<double>(Clock::now() - start).count();
         if (!(waited_s < timeout_s)) {
             return Issue{IssueCode::io_locked, path.string(),
@@ -259,6 +262,19 @@ struct OutputFolder::State {
         return 0;
     }
 
+    // Whether rename() can give the staged file its name: it replaces files and links, never a folder, and should
+    // not replace a device or pipe. What a name came to mean since is found by rename().
+    Status check_replaceable(const std::string& name) const {
+        struct stat status {};
+        if (::fstatat(folder.get(), name.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0) {
+            return errno == ENOENT ? Status() : write_issue(path / name, "a name that can be replaced", errno);
+        }
+        if (S_ISREG(status.st_mode) || S_ISLNK(status.st_mode)) return {};
+        return Issue{IssueCode::io_write, (path / name).string(),
+                     fmt::format("expected a regular file or nothing of that name, found a {}",
+                                 S_ISDIR(status.st_mode) ? "folder" : "device or pipe")};
+    }
+
     Status sync() const {
         if (!sync_to_disk || ::fsync(folder.get()) == 0) return {};
         return write_issue(path, "a folder whose entries can be written to disk", errno);
@@ -318,6 +334,9 @@ Status OutputFolder::publish(const std::string& last) {
         return write_issue(state_->path / name, "a name that can be replaced", error);
     };
     if (!state_->staged.contains(last)) return fail(last, ENOENT);
+    for (const auto& [name, temporary] : state_->staged)
+        if (Status status = state_->check_replaceable(name); !status) return status;
+    if (Status status = check_interrupt(); !status) return status;  // from here on it is all or nothing
     for (auto file = state_->staged.begin(); file != state_->staged.end();) {
         const auto current = file++;
         if (current->first == last) continue;

@@ -28,7 +28,7 @@ Result<std::filesystem::path> resolve_below(const std::filesystem::path& root, s
 class OutputFolder {
  public:
     // Makes the folder when it is missing. Waits at most `lock_timeout_s` for another run.
-    // Errors: E-IO-WRITE, E-IO-LOCKED.
+    // Errors: E-IO-WRITE, E-IO-LOCKED, E-INTERRUPTED.
     static Result<OutputFolder> open(const std::filesystem::path& folder, double lock_timeout_s,
                                      bool sync_to_disk);
 
@@ -40,7 +40,10 @@ class OutputFolder {
     // Errors: E-IO-WRITE, E-IO-SPACE.
     Status stage(const std::string& name, std::span<const std::uint8_t> bytes);
 
-    // Renames every staged file to its name, in the order of names, then `last` (the commit point).
+    // Renames every staged file to its name, in the order of names, then `last` (the commit point). Before the
+    // first rename every name is looked at: one that a folder or device holds changes nothing. Each name holds a
+    // whole old or a whole new file at any instant; a crash between two renames leaves new files under the old
+    // `last`. Errors: E-IO-WRITE, E-INTERRUPTED (before the first rename).
     Status publish(const std::string& last);
 
  private:

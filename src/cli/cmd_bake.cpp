@@ -120,11 +120,11 @@ Runner add_bake(CLI::App& app) {
     app.add_flag("--no-measure", options->no_measure, "Do not measure the error: containers say so");
     app.add_flag("--no-fsync", options->no_fsync, "Do not wait for the disk");
     app.add_option("--jobs,-j", options->bake.jobs, "Threads (default: one a core)")
-        ->check(CLI::Range(1u, 1024u))
+        ->check(whole_between(1, 1024))
         ->type_name("N");
     app.add_option("--lock-timeout", options->bake.lock_timeout_s,
                    "Seconds to wait for another bake (default: 10)")
-        ->check(CLI::Range(0.0, 86400.0))
+        ->check(number_between(0.0, 86400.0))
         ->type_name("S");
     add_format_option(app, options->format, true);
     return [options] {

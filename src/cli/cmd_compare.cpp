@@ -101,10 +101,10 @@ Runner add_compare(CLI::App& app) {
     add_catalog_options(app, options->source);
     app.add_option("--rate", options->source->rate_hz,
                    "Rows a second for every clip (default: each clip's own key grid)")
-        ->check(CLI::Range(1.0, 1000.0))
+        ->check(number_between(1.0, 1000.0))
         ->type_name("HZ");
     app.add_option("--copies", options->copies, "Count each animal this many times, as kinds of their own")
-        ->check(CLI::Range(1u, 100000u))
+        ->check(whole_between(1, 100'000))
         ->type_name("N");
     add_format_option(app, options->format, true);
     return [options] { return run(*options); };

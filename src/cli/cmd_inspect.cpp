@@ -37,7 +37,8 @@ output::TextTable clips_table(const posepack_view& view) {
     table.columns = {{"clip", Align::left}, {"rows"},       {"first"},
                      {"rate Hz"},           {"period s"},   {"wrap", Align::left},
                      {"speed m/s"},         {"max / R"},    {"p99.9 / R"},
-                     {"rms / R"},           {"normal deg"}, {"worst place", Align::left}};
+                     {"rms / R"},           {"max mm"},     {"p99.9 mm"},
+                     {"rms mm"},            {"normal deg"}, {"worst place", Align::left}};
     for (std::uint32_t c = 0; c < view.header.clip_count; ++c) {
         posepack_clip clip;
         if (posepack_get_clip(&view, c, &clip) != POSEPACK_OK) continue;
@@ -49,11 +50,18 @@ output::TextTable clips_table(const posepack_view& view) {
         const auto figure = [&](float value) {
             return clip.measured != 0 ? output::readable_error(value) : "-";
         };
+        const auto millimetres = [&](float value) {
+            return clip.measured != 0
+                       ? fmt::format("{:.3g}", static_cast<double>(value) *
+                                                   static_cast<double>(view.header.radius_m) * 1e3)
+                       : "-";
+        };
         table.rows.push_back({text_of(clip.name), std::to_string(clip.row_count),
                               std::to_string(clip.first_row), fmt::format("{:.6g}", clip.rate_hz),
                               fmt::format("{:.4f}", clip.period_s), wrap,
                               clip.speed_mps > 0 ? fmt::format("{:.3g}", clip.speed_mps) : "-",
                               figure(clip.error.max), figure(clip.error.p999), figure(clip.error.rms),
+                              millimetres(clip.error.max), millimetres(clip.error.p999), millimetres(clip.error.rms),
                               clip.measured != 0 ? fmt::format("{:.3g}", clip.error.normal_max_deg) : "-",
                               placed ? fmt::format("{:.3f} s, vertex {}, {}", clip.error.time_s,
                                                    clip.error.vertex, text_of(bone.name))
@@ -189,6 +197,7 @@ Runner add_inspect(CLI::App& app) {
     app.add_option("container", options->container, "Container to show")->required()->type_name("FILE");
     app.add_flag("--bones", options->bones, "List the bones too");
     app.add_option("--row", options->row, "Show one bone-row as a matrix: row of the container, or of --clip")
+        ->check(whole_between(0, POSEPACK_MAX_ROWS - 1))
         ->group("Matrix")
         ->type_name("N");
     app.add_option("--clip", options->clip, "Clip that --row counts from")

@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 #include <optional>
 
 #include "base/files.hpp"
+#include "base/interrupt.hpp"
 #include "base/text.hpp"
 #include "cli/commands.hpp"
 #include "cli/diagnostics.hpp"
+#include "cli/options.hpp"
 #include "menagerie/catalog_text.hpp"
 #include "menagerie/glb_writer.hpp"
 #include "menagerie/menagerie.hpp"
@@ -109,6 +112,7 @@ int write_members(const Options& options) {
     std::vector<menagerie::CatalogAnimal> catalog;
     if (options.statistics) print_statistics_head();
     for (const menagerie::HerdMember& member : members) {
+        if (const auto status = base::check_interrupt(); !status) return fail(status.issue());
         const menagerie::Model model = model_of(options, member);
         const auto glb = menagerie::write_glb(model);
         const std::string file_name = member.id + ".glb";
@@ -150,9 +154,12 @@ Runner add_menagerie(CLI::App& app) {
     auto* herd =
         app.add_option("--animals", options->animals,
                        "This many: behind the published ones others of each kind, and a catalog.json for all")
-            ->check(CLI::Range(std::size_t{1}, kMostAnimals))
+            ->check(whole_between(1, kMostAnimals))
             ->type_name("N");
-    app.add_option("--seed", options->seed, "Which others --animals makes; default 1")->type_name("S");
+    app.add_option("--seed", options->seed, "Which others --animals makes; default 1")
+        ->check(whole_between(0, std::numeric_limits<std::uint64_t>::max()))
+        ->needs(herd)
+        ->type_name("S");
     auto* birds = app.add_flag("--birds", options->birds,
                                "Instead the 25 birds of the second catalog, with a catalog.json")
                       ->excludes(herd);

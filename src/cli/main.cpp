@@ -11,6 +11,7 @@
 #include "base/text.hpp"
 #include "cli/commands.hpp"
 #include "cli/diagnostics.hpp"
+#include "cli/signals.hpp"
 
 namespace posepack::cli {
 namespace {
@@ -99,7 +100,7 @@ int parse_and_run(int argc, char** argv) {
 // Results that did not reach stdout (a full disk behind a pipe or a redirection) are a failure.
 int flush_output(int exit_code) {
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit_code;
-    return fail({IssueCode::io_write, "stdout", "the results could not be written"});
+    return fail({IssueCode::io_write, "stdout", "expected an open stream with room for the results, found one that takes no more"});
 }
 
 }  // namespace
@@ -107,6 +108,7 @@ int flush_output(int exit_code) {
 
 int main(int argc, char** argv) {
     using posepack::base::IssueCode;
+    posepack::cli::install_signal_handlers();
     try {
         return posepack::cli::flush_output(posepack::cli::parse_and_run(argc, argv));
     } catch (const std::bad_alloc&) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <map>
 
 namespace posepack::cli {
@@ -39,7 +40,29 @@ void add_choice(CLI::App& app, const std::string& flag, const std::string& help,
         ->type_name("NAME");
 }
 
+// A validator that takes a text when all of it reads as a Number from `least` to `most`. NaN compares with
+// nothing, so it is refused; infinity lies outside of any range.
+template <class Number>
+CLI::Validator between(std::string_view what, Number least, Number most) {
+    const auto check = [what, least, most](const std::string& text) {
+        Number value{};
+        const char* end = text.data() + text.size();
+        const auto [stop, error] = std::from_chars(text.data(), end, value);
+        if (error == std::errc{} && stop == end && value >= least && value <= most) return std::string();
+        return fmt::format("expected {} from {} to {}, found '{}'", what, least, most, text);
+    };
+    return {check, ""};
+}
+
 }  // namespace
+
+CLI::Validator number_between(double least, double most) {
+    return between("a number", least, most);
+}
+
+CLI::Validator whole_between(std::uint64_t least, std::uint64_t most) {
+    return between("a whole number", least, most);
+}
 
 void add_catalog_options(CLI::App& app, const std::shared_ptr<bake::CatalogSource>& source) {
     app.add_option("catalog", source->catalog, "Catalog of animals (JSON)")->required()->type_name("CATALOG");
@@ -65,7 +88,7 @@ void add_output_options(CLI::App& app, const std::shared_ptr<bake::CatalogSource
                &recipe::OutputOverrides::caps, {Caps::webgl2, Caps::desktop});
     app.add_option("--rate", source->rate_hz,
                    "Rows a second for every clip (default: each clip's own key grid)")
-        ->check(CLI::Range(1.0, 1000.0))
+        ->check(number_between(1.0, 1000.0))
         ->group("Output")
         ->type_name("HZ");
 }

@@ -231,8 +231,9 @@ base::Result<ErrorStats> measure_error(const Animal& animal, const palette::Pale
     if (const posepack_result result = posepack_open(&view, container.data(), container.size());
         result != POSEPACK_OK)
         return base::Issue{
-            base::IssueCode::pack_invalid, "",
-            fmt::format("the loader refuses the bytes just written: {}", posepack_result_name(result))};
+            base::IssueCode::internal, "",
+            fmt::format("expected a container that the loader opens, it answers {} to the one just made",
+                        posepack_result_name(result))};
     ClipMeter meter(animal, palette, view, points, normals);
     ErrorStats stats;
     Tally all, one;

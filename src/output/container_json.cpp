@@ -32,10 +32,18 @@ json numbers(const float (&values)[N]) {
     return array;
 }
 
-json error_json(const posepack_clip_error& error) {
+// A fraction of R in metres, as the manifest has it.
+json metres(float fraction, float radius_m) {
+    return number(static_cast<float>(static_cast<double>(fraction) * static_cast<double>(radius_m)));
+}
+
+json error_json(const posepack_clip_error& error, float radius_m) {
     return {{"max", number(error.max)},
             {"p999", number(error.p999)},
             {"rms", number(error.rms)},
+            {"max_m", metres(error.max, radius_m)},
+            {"p999_m", metres(error.p999, radius_m)},
+            {"rms_m", metres(error.rms, radius_m)},
             {"time_s", number(error.time_s)},
             {"mesh", index_or_null(error.mesh)},
             {"vertex", index_or_null(error.vertex)},
@@ -49,7 +57,7 @@ json error_json(const posepack_clip_error& error) {
             {"normal_bone", index_or_null(error.normal_bone)}};
 }
 
-json clip_json(const posepack_clip& clip) {
+json clip_json(const posepack_clip& clip, float radius_m) {
     json out{{"name", text_of(clip.name)},
              {"source_name", text_of(clip.source_name)},
              {"encoding", encoding_name(clip.encoding)},
@@ -68,7 +76,7 @@ json clip_json(const posepack_clip& clip) {
              {"box_max", numbers(clip.box_max)},
              {"sphere_center", numbers(clip.sphere_center)},
              {"sphere_radius", number(clip.sphere_radius)}};
-    out["error"] = clip.measured ? error_json(clip.error) : json(nullptr);
+    out["error"] = clip.measured ? error_json(clip.error, radius_m) : json(nullptr);
     return out;
 }
 
@@ -76,7 +84,7 @@ json clips_of(const posepack_view& view) {
     json clips = json::array();
     for (std::uint32_t c = 0; c < view.header.clip_count; ++c) {
         posepack_clip clip;
-        if (posepack_get_clip(&view, c, &clip) == POSEPACK_OK) clips.push_back(clip_json(clip));
+        if (posepack_get_clip(&view, c, &clip) == POSEPACK_OK) clips.push_back(clip_json(clip, view.header.radius_m));
     }
     return clips;
 }
@@ -123,7 +131,7 @@ json meshes_of(const posepack_view& view, std::uint32_t mesh_count) {
         meshes.push_back({{"name", text_of(mesh.name)},
                           {"node", mesh.node},
                           {"mesh", mesh.mesh},
-                          {"skin", mesh.skin},
+                          {"skin", index_or_null(mesh.skin)},
                           {"vertex_count", mesh.vertex_count},
                           {"bone_of_joint", joints},
                           {"palette_from_mesh", numbers(mesh.palette_from_mesh)}});

@@ -21,7 +21,7 @@ inline constexpr std::size_t kMaxManifestBytes = 64u << 20;
 struct ErrorRecord {
     bool measured = false;
     float max = 0, p999 = 0, rms = 0;
-    float max_m = 0;  // the maximum in metres
+    float max_m = 0, p999_m = 0, rms_m = 0;  // the same in metres: times radius_m
     float normal_max_deg = 0, normal_p999_deg = 0, normal_rms_deg = 0;
     std::string clip;          // the worst place: clip (empty inside a clip's own record),
     float time_s = 0;          //   time within it,

@@ -58,12 +58,14 @@ ErrorRecord read_error(const Value& error, bool names_clip) {
     ErrorRecord record;
     if (error.json().is_null()) return record;
     error.expect_object({"bone", "clip", "max", "max_m", "mesh", "normal_max_deg", "normal_p999_deg",
-                         "normal_rms_deg", "p999", "rms", "time_s", "vertex"});
+                         "normal_rms_deg", "p999", "p999_m", "rms", "rms_m", "time_s", "vertex"});
     record.measured = true;
     record.max = number(error, "max");
     record.p999 = number(error, "p999");
     record.rms = number(error, "rms");
     record.max_m = number(error, "max_m");
+    record.p999_m = number(error, "p999_m");
+    record.rms_m = number(error, "rms_m");
     record.normal_max_deg = number(error, "normal_max_deg");
     record.normal_p999_deg = number(error, "normal_p999_deg");
     record.normal_rms_deg = number(error, "normal_rms_deg");
@@ -190,6 +192,34 @@ BakeRecord read_record(const Value& value) {
     return record;
 }
 
+void check_flag(const Value& options, std::string_view key) {
+    const std::optional<Value> flag = options.find(key);
+    if (flag && !flag->json().is_boolean())
+        flag->fail(IssueCode::man_json, fmt::format("expected true or false, found {}", flag->json().type_name()));
+}
+
+template <class Choice>
+void check_choice(const Value& options, std::string_view key) {
+    if (const std::optional<Value> value = options.find(key)) static_cast<void>(value->choice<Choice>());
+}
+
+// What the command line set: only what it set is there.
+void check_options(const Value& options) {
+    options.expect_object({"caps", "compare_vat", "encoding", "measure", "only", "rate_hz", "row_pitch", "strict",
+                           "texel_format", "texel_order"});
+    check_choice<Caps>(options, "caps");
+    check_choice<Encoding>(options, "encoding");
+    check_choice<RowPitch>(options, "row_pitch");
+    check_choice<TexelFormat>(options, "texel_format");
+    check_choice<TexelOrder>(options, "texel_order");
+    for (const std::string_view flag : {"compare_vat", "measure", "strict"}) check_flag(options, flag);
+    if (const std::optional<Value> rate = options.find("rate_hz")) static_cast<void>(rate->number(1.0, 1000.0));
+    if (const std::optional<Value> only = options.find("only"))
+        for (const Value& id : only->elements())
+            if (std::string fault = id_fault(id.text()); !fault.empty())
+                id.fail(IssueCode::man_json, std::move(fault));
+}
+
 void check_schema(const Value& root) {
     const Value schema = root.need("schema");
     const std::uint64_t number = schema.whole(std::numeric_limits<std::uint64_t>::max());
@@ -223,7 +253,7 @@ base::Result<Manifest> read_manifest(std::string_view text_bytes) {
     manifest.tool_version = text(root, "tool_version");
     manifest.catalog_sha256 = digest(root, "catalog_sha256");
     const Value options = root.need("options");
-    static_cast<void>(options.members());
+    check_options(options);
     manifest.options_json = options.json().dump();
     read_records(root.need("records"), &manifest.records);
     if (faults.first) return *faults.first;

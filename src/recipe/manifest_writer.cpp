@@ -26,7 +26,9 @@ Json error_json(const ErrorRecord& error, bool names_clip) {
               {"normal_p999_deg", number(error.normal_p999_deg)},
               {"normal_rms_deg", number(error.normal_rms_deg)},
               {"p999", number(error.p999)},
+              {"p999_m", number(error.p999_m)},
               {"rms", number(error.rms)},
+              {"rms_m", number(error.rms_m)},
               {"time_s", number(error.time_s)},
               {"vertex", error.vertex}};
     if (names_clip) json["clip"] = error.clip;

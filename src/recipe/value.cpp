@@ -117,7 +117,7 @@ double Value::number(double least, double most) const {
         return least;
     }
     const double value = json_->get<double>();
-    if (value >= least && value <= most) return value;
+    if (value >= least && value <= most) return value == 0.0 ? 0.0 : value;  // never minus zero
     fail(faults_->codes.range,
          fmt::format("expected a number from {} to {}, found {}", least, most, shown(*json_)));
     return least;

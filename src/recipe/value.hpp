@@ -57,7 +57,7 @@ class Value {
     std::vector<std::pair<std::string, Value>> members() const;
     std::vector<Value> elements() const;
 
-    // A number in [least, most]; integers only for whole().
+    // A number in [least, most], never minus zero; integers only for whole().
     double number(double least, double most) const;
     std::uint64_t whole(std::uint64_t most) const;
     bool is_text() const;

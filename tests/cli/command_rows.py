@@ -107,7 +107,7 @@ def _report(case):
     catalog = deer(case)
     shown = case.run("report", catalog, "--rates", "keys,15", "--format", "json").json()
     keys = {"animal", "encoding", "texel_format", "rate", "bytes", "max", "p999", "rms", "max_m",
-            "normal_max_deg",
+            "p999_m", "rms_m", "normal_max_deg",
             "normal_p999_deg", "normal_rms_deg", "worst", "decode_ns_per_vertex", "bake_ms"}
     case.equal(len(shown["rows"]), 8, "rows of two encodings, two formats and two rates")
     for row in shown["rows"]:

@@ -37,7 +37,7 @@ function expectStrictObjects(validate, label, json) {
     const visit = (value, place) => {
         if (value === null || typeof value !== 'object') return;
         for (const [key, member] of Object.entries(value)) visit(member, `${place}/${key}`);
-        const isFree = /\/(options|keywords|animals)$/.test(place);
+        const isFree = /\/(keywords|animals)$/.test(place);
         if (Array.isArray(value) || isFree) return;
         value.unknown_key = 1;
         expectValidity(validate, `${label}: ${place}/unknown_key`, json, false);

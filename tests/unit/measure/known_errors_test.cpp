@@ -155,7 +155,7 @@ TEST(KnownErrors, BytesThatAreNoContainerAreRefused) {
     const auto stats = measure_error(animal, baked.palette, baked.container, motion::unique_points(animal),
                                      motion::unique_normals(animal));
     ASSERT_FALSE(stats);
-    EXPECT_EQ(stats.issue().code, base::IssueCode::pack_invalid);
+    EXPECT_EQ(stats.issue().code, base::IssueCode::internal);
 }
 
 // Differences whose square no float holds: the measurement must neither read nor write beyond its bins.

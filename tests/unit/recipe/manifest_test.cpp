@@ -75,7 +75,7 @@ TEST(ReadManifest, RefusesEveryTruncation) {
     EXPECT_TRUE(read_manifest(text.substr(0, text.size() - 1))) << "the newline alone may be missing";
 }
 
-// Every key of every object of `json`, as JSON pointers; the free-form options are left out.
+// Every key of every object of `json`, as JSON pointers; the options, which may all be missing, are left out.
 void collect_keys(const nlohmann::json& json, const std::string& place, std::vector<std::string>* keys) {
     if (place == "/options") return;
     for (const auto& [key, member] : json.items()) {
@@ -114,6 +114,13 @@ TEST(ReadManifest, RefusesWrongValues) {
              {"\"schema\": 1", "\"schema\": 0"},
              {"\"schema\": 1", "\"schema\": \"1\""},
              {"\"options\": {", "\"options\": [], \"options_\": {"},
+             {"\"options\": {", "\"options\": {\"hats\": 1,"},
+             {"\"options\": {", "\"options\": {\"rate_hz\": 0,"},
+             {"\"options\": {", "\"options\": {\"rate_hz\": null,"},
+             {"\"options\": {", "\"options\": {\"measure\": 0,"},
+             {"\"options\": {", "\"options\": {\"only\": \"deer\","},
+             {"\"options\": {", "\"options\": {\"only\": [\"../deer\"],"},
+             {"\"options\": {", "\"options\": {\"caps\": \"small\","},
              {"\"encoding\": \"affine\",\n   \"error\"", "\"encoding\": \"dual\",\n   \"error\""},
              {"\"ffff", "\"FFFF"},
              {"\"ffff", "\"fff"},

@@ -15,6 +15,8 @@ inline ErrorRecord sample_error(std::string clip) {
     error.p999 = 1e-4f;
     error.rms = 3e-5f;
     error.max_m = 2.5e-4f;
+    error.p999_m = 2e-4f;
+    error.rms_m = 6e-5f;
     error.normal_max_deg = 0.7f;
     error.normal_p999_deg = 0.5f;
     error.normal_rms_deg = 0.1f;
@@ -79,7 +81,7 @@ inline Manifest sample_manifest() {
     return {3,
             "0.1.0",
             std::string(64, 'f'),
-            R"({"encoding":"affine","strict":true})",
+            R"({"encoding":"affine","only":["deer","fox"],"rate_hz":23.976,"strict":true})",
             {deer, sample_record("fox")}};
 }
 
