@@ -25,6 +25,8 @@ posepack_want_package(fmt libfmt-dev)
 posepack_want_package(glm libglm-dev)
 posepack_want_package(CLI11 libcli11-dev)
 posepack_want_package(nlohmann_json nlohmann-json3-dev)
+posepack_want_package(draco libdraco-dev)
+posepack_want_package(meshoptimizer libmeshoptimizer-dev)
 # Debian's Imath remarks that its Python library, which nobody here wants, is not installed.
 set(posepack_log_level "${CMAKE_MESSAGE_LOG_LEVEL}")
 set(CMAKE_MESSAGE_LOG_LEVEL WARNING)

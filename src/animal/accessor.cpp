@@ -5,33 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <limits>
+#include <optional>
 
 namespace posepack::animal {
 namespace {
 
 using base::Issue;
 using base::IssueCode;
-
-constexpr std::uint64_t kMaxElements = 16u << 20;
-constexpr std::uint64_t kMaxDecodedBytes = 2ull << 30;
-
-std::size_t component_bytes(int component) {
-    switch (component) {
-        case TINYGLTF_COMPONENT_TYPE_BYTE:
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-            return 1;
-        case TINYGLTF_COMPONENT_TYPE_SHORT:
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-            return 2;
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-        case TINYGLTF_COMPONENT_TYPE_FLOAT:
-            return 4;
-        default:
-            return 0;
-    }
-}
 
 std::size_t type_components(int type) {
     switch (type) {
@@ -43,210 +23,181 @@ std::size_t type_components(int type) {
             return 3;
         case TINYGLTF_TYPE_VEC4:
             return 4;
-        case TINYGLTF_TYPE_MAT4:
+        default:
             return 16;
-        default:
-            return 0;
     }
 }
 
-template <class Integer>
-Integer load(const std::uint8_t* at) {
-    Integer value;
-    std::memcpy(&value, at, sizeof value);
-    return value;
+Issue in_accessor(const AccessorUse& use, int index, Issue issue) {
+    return base::at(fmt::format("{} (accessors/{})", use.place.text(), index), std::move(issue));
 }
 
-// glTF 2.0 section 3.11, "Animations": the same formulas hold for every normalised accessor.
-float to_float(const std::uint8_t* at, int component) {
-    switch (component) {
-        case TINYGLTF_COMPONENT_TYPE_FLOAT:
-            return load<float>(at);
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-            return static_cast<float>(*at) / 255.0f;
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-            return static_cast<float>(load<std::uint16_t>(at)) / 65535.0f;
-        case TINYGLTF_COMPONENT_TYPE_BYTE:
-            return std::max(static_cast<float>(load<std::int8_t>(at)) / 127.0f, -1.0f);
-        default:
-            return std::max(static_cast<float>(load<std::int16_t>(at)) / 32767.0f, -1.0f);
-    }
-}
-
-std::uint32_t to_integer(const std::uint8_t* at, int component) {
-    switch (component) {
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-            return *at;
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-            return load<std::uint16_t>(at);
-        default:
-            return load<std::uint32_t>(at);
-    }
-}
-
-// KHR_mesh_quantization lets positions and normals be plain integers.
-float to_plain_float(const std::uint8_t* at, int component) {
-    switch (component) {
-        case TINYGLTF_COMPONENT_TYPE_FLOAT:
-            return load<float>(at);
-        case TINYGLTF_COMPONENT_TYPE_BYTE:
-            return static_cast<float>(load<std::int8_t>(at));
-        case TINYGLTF_COMPONENT_TYPE_SHORT:
-            return static_cast<float>(load<std::int16_t>(at));
-        default:
-            return static_cast<float>(to_integer(at, component));
-    }
+// Index of the first number that is NaN or infinite, or the size.
+std::size_t first_not_finite(const float* values, std::size_t size) {
+    // A sum of zeros stays zero unless a term is not: no branch for each number.
+    float sum = 0.0f;
+    for (std::size_t i = 0; i < size; ++i) sum += values[i] * 0.0f;
+    if (sum == 0.0f) return size;
+    return static_cast<std::size_t>(
+        std::find_if(values, values + size, [](float v) { return !std::isfinite(v); }) - values);
 }
 
 }  // namespace
 
-// Bytes that were proven to lie inside a buffer; no data means zeros.
+std::string Place::text() const {
+    std::string text = fmt::format("{}/{}", list, index);
+    if (!inner_list.empty()) text += fmt::format("/{}/{}", inner_list, inner_index);
+    if (!leaf.empty()) (text += '/') += leaf;
+    return text;
+}
+
+// An accessor that was found to fit its use.
 struct AccessorReader::Source {
     const tinygltf::Accessor* accessor = nullptr;
-    const std::uint8_t* data = nullptr;
-    std::size_t count = 0;
-    std::size_t stride_bytes = 0;
-    std::size_t components = 0;
-    int component = 0;
+    ElementShape shape;
+    std::optional<ElementSpan> elements;    // none: zeros
+    std::vector<std::uint8_t> draco_bytes;  // what `elements` points into, for Draco
+
+    void copy(float* out) const { elements->copy_floats(accessor->normalized, out); }
+    void copy(std::uint32_t* out) const { elements->copy_integers(out); }
+    void copy_one(const ElementSpan& span, std::size_t i, float* out) const {
+        span.copy_element(i, accessor->normalized, out);
+    }
+    void copy_one(const ElementSpan& span, std::size_t i, std::uint32_t* out) const {
+        span.copy_element(i, out);
+    }
 };
 
 AccessorReader::AccessorReader(const LoadedGltf& gltf)
-    : model_(*gltf.model),
-      decoded_limit_bytes_(std::min(kMaxDecodedBytes, 16 * gltf.file_bytes + (64u << 20))) {}
+    : gltf_(gltf), budget_(gltf.file_bytes), views_(gltf, budget_) {}
 
-base::Result<AccessorReader::Source> AccessorReader::open_view(int view_index, std::size_t byte_offset,
-                                                               std::size_t count, int type, int component,
-                                                               bool tight, const std::string& where) const {
-    if (view_index < 0 || static_cast<std::size_t>(view_index) >= model_.bufferViews.size())
-        return Issue{IssueCode::glb_reference, where,
-                     fmt::format("buffer view {} does not exist", view_index)};
-    const tinygltf::BufferView& view = model_.bufferViews[static_cast<std::size_t>(view_index)];
-    if (view.buffer < 0 || static_cast<std::size_t>(view.buffer) >= model_.buffers.size())
-        return Issue{IssueCode::glb_reference, fmt::format("bufferViews/{}", view_index),
-                     fmt::format("buffer {} does not exist", view.buffer)};
-    const std::size_t buffer_bytes = model_.buffers[static_cast<std::size_t>(view.buffer)].data.size();
-    if (view.byteOffset > buffer_bytes || view.byteLength > buffer_bytes - view.byteOffset)
-        return Issue{IssueCode::glb_view_range, fmt::format("bufferViews/{}", view_index),
-                     fmt::format("{} bytes from {} on leave the buffer of {} bytes", view.byteLength,
-                                 view.byteOffset, buffer_bytes)};
-    const std::size_t components = type_components(type);
-    const std::size_t element_bytes = components * component_bytes(component);
-    const std::size_t stride = tight || view.byteStride == 0 ? element_bytes : view.byteStride;
-    if (stride < element_bytes || stride > 252 + element_bytes)
-        return Issue{IssueCode::glb_accessor_range, where,
-                     fmt::format("a stride of {} bytes does not fit elements of {}", stride, element_bytes)};
-    // count is below 2^32 and stride below 2^9: the product cannot overflow.
-    const std::size_t needed = count == 0 ? 0 : (count - 1) * stride + element_bytes;
-    if (byte_offset > view.byteLength || needed > view.byteLength - byte_offset)
-        return Issue{IssueCode::glb_accessor_range, where,
-                     fmt::format("{} elements from byte {} on end at {}, the buffer view has {} bytes", count,
-                                 byte_offset, byte_offset + needed, view.byteLength)};
-    Source source;
-    source.data =
-        model_.buffers[static_cast<std::size_t>(view.buffer)].data.data() + view.byteOffset + byte_offset;
-    source.count = count;
-    source.stride_bytes = stride;
-    source.components = components;
-    source.component = component;
-    return source;
+base::Result<ElementSpan> AccessorReader::open_view(int view_index, std::size_t byte_offset,
+                                                    const ElementShape& shape, bool is_tight) {
+    const auto bytes = views_.bytes(view_index);
+    if (!bytes) return bytes.issue();
+    ElementShape strided = shape;
+    strided.stride_bytes = is_tight ? 0 : model().bufferViews[static_cast<std::size_t>(view_index)].byteStride;
+    return ElementSpan::over(bytes.value(), byte_offset, strided);
+}
+
+base::Status AccessorReader::open_draco(const AccessorUse& use, Source& source) {
+    // Draco may have fewer points than declared, never more (DracoLimits).
+    source.shape.count = use.draco->point_count();
+    auto values = use.draco->values(use.draco_id, source.shape.component, source.shape.components);
+    if (!values) return values.issue();
+    source.draco_bytes = std::move(values).value();
+    auto elements = ElementSpan::over(source.draco_bytes, 0, source.shape);
+    if (!elements) return elements.issue();
+    source.elements = elements.value();
+    return {};
 }
 
 base::Result<AccessorReader::Source> AccessorReader::open(int index, const AccessorUse& use) {
-    if (index < 0 || static_cast<std::size_t>(index) >= model_.accessors.size())
-        return Issue{IssueCode::glb_reference, use.where, fmt::format("accessor {} does not exist", index)};
-    const tinygltf::Accessor& accessor = model_.accessors[static_cast<std::size_t>(index)];
-    const std::string where = fmt::format("{} (accessors/{})", use.where, index);
+    if (index < 0 || static_cast<std::size_t>(index) >= model().accessors.size())
+        return Issue{IssueCode::glb_reference, use.place.text(), fmt::format("accessor {} does not exist", index)};
+    const tinygltf::Accessor& accessor = model().accessors[static_cast<std::size_t>(index)];
     if (accessor.type != use.type || std::find(use.components.begin(), use.components.end(),
                                                accessor.componentType) == use.components.end())
-        return Issue{IssueCode::glb_accessor_type, where,
+        return Issue{IssueCode::glb_accessor_type, "",
                      fmt::format("type {} with component type {} does not fit here", accessor.type,
                                  accessor.componentType)};
     if (accessor.count == 0)
-        return Issue{IssueCode::glb_accessor_count, where, "expected at least one element, found 0"};
-    if (accessor.count > std::numeric_limits<std::uint32_t>::max())
-        return Issue{IssueCode::glb_accessor_range, where,
-                     fmt::format("{} elements leave every buffer", accessor.count)};
+        return Issue{IssueCode::glb_accessor_count, "", "expected at least one element, found 0"};
     Source source;
-    source.components = type_components(use.type);
-    source.component = accessor.componentType;
-    source.count = accessor.count;
-    if (accessor.bufferView >= 0) {
-        auto opened = open_view(accessor.bufferView, accessor.byteOffset, accessor.count, accessor.type,
-                                accessor.componentType, false, where);
-        if (!opened) return opened.issue();
-        source = opened.value();
+    source.accessor = &accessor;
+    source.shape = {accessor.count, type_components(use.type), accessor.componentType, 0};
+    if (use.draco == nullptr && accessor.bufferView >= 0) {
+        auto elements = open_view(accessor.bufferView, accessor.byteOffset, source.shape, false);
+        if (!elements) return elements.issue();
+        source.elements = elements.value();
     }
     // Counted after the range check, so that a lie about the count is called one; before any allocation.
-    decoded_bytes_ += accessor.count * source.components * sizeof(float);
-    if (accessor.count > kMaxElements || decoded_bytes_ > decoded_limit_bytes_)
-        return Issue{IssueCode::lim_decoded, where,
-                     fmt::format("{} elements need {} bytes, this file may ask for {}", accessor.count,
-                                 decoded_bytes_, decoded_limit_bytes_)};
-    source.accessor = &accessor;
+    if (auto status = budget_.take(accessor.count, source.shape.components * sizeof(float)); !status)
+        return status.issue();
+    if (use.draco != nullptr)
+        if (auto status = open_draco(use, source); !status) return status.issue();
     return source;
 }
 
-template <class T, class Convert>
-base::Result<std::vector<T>> AccessorReader::read(int index, const AccessorUse& use, Convert convert) {
-    auto opened = open(index, use);
-    if (!opened) return opened.issue();
-    const Source source = opened.value();
-    std::vector<T> out(source.count * source.components);
-    const auto copy = [&](const Source& from, std::size_t element, std::size_t to) {
-        const std::uint8_t* at = from.data + element * from.stride_bytes;
-        for (std::size_t c = 0; c < from.components; ++c)
-            out[to * from.components + c] = convert(at + c * component_bytes(from.component), from.component);
-    };
-    if (source.data != nullptr)
-        for (std::size_t i = 0; i < source.count; ++i) copy(source, i, i);
-
+template <class T>
+base::Status AccessorReader::read_sparse(const Source& source, T* out) {
     const auto& sparse = source.accessor->sparse;
-    if (!sparse.isSparse) return out;
-    const std::string where = fmt::format("{} (accessors/{}/sparse)", use.where, index);
-    if (sparse.count < 1 || static_cast<std::size_t>(sparse.count) > source.count)
-        return Issue{IssueCode::glb_sparse, where,
-                     fmt::format("expected 1 to {} values, found {}", source.count, sparse.count)};
+    if (!sparse.isSparse) return {};
+    const auto refuse = [](std::string detail) {
+        return Issue{IssueCode::glb_sparse, "", std::move(detail)};
+    };
+    if (sparse.count < 1 || static_cast<std::size_t>(sparse.count) > source.shape.count)
+        return refuse(fmt::format("expected 1 to {} values, found {}", source.shape.count, sparse.count));
     const int index_type = sparse.indices.componentType;
-    if (index_type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE &&
-        index_type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
-        index_type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)
-        return Issue{IssueCode::glb_sparse, where, fmt::format("component type {} is no index", index_type)};
+    if (index_type != kUnsignedByte && index_type != kUnsignedShort && index_type != kUnsignedInt)
+        return refuse(fmt::format("component type {} is no index", index_type));
+    if (sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0) return refuse("an offset is negative");
     const auto count = static_cast<std::size_t>(sparse.count);
     // Both streams are tightly packed whatever their views say (glTF 2.0 section 3.6.2.3).
-    auto indices = open_view(sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset),
-                             count, TINYGLTF_TYPE_SCALAR, index_type, true, where);
+    const auto indices = open_view(sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset),
+                                   {count, 1, index_type, 0}, true);
     if (!indices) return indices.issue();
-    auto values = open_view(sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset),
-                            count, use.type, source.component, true, where);
+    const auto values = open_view(sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset),
+                                  {count, source.shape.components, source.shape.component, 0}, true);
     if (!values) return values.issue();
     std::size_t next = 0;
     for (std::size_t i = 0; i < count; ++i) {
-        const std::uint8_t* at = indices.value().data + i * indices.value().stride_bytes;
-        const std::size_t target = to_integer(at, index_type);
-        if (target < next || target >= source.count)
-            return Issue{IssueCode::glb_sparse, where,
-                         fmt::format("index {} is {}, expected {} to {}", i, target, next, source.count - 1)};
-        copy(values.value(), i, target);
-        next = target + 1;
+        std::uint32_t target = 0;
+        indices.value().copy_element(i, &target);
+        if (target < next || target >= source.shape.count)
+            return refuse(fmt::format("index {} is {}, expected {} to {}", i, target, next, source.shape.count - 1));
+        source.copy_one(values.value(), i, out + target * source.shape.components);
+        next = std::size_t{target} + 1;
     }
-    return out;
+    return {};
+}
+
+base::Result<std::size_t> AccessorReader::append_floats(int index, const AccessorUse& use,
+                                                        std::vector<float>& out) {
+    const auto opened = open(index, use);
+    if (!opened) return in_accessor(use, index, opened.issue());
+    const Source& source = opened.value();
+    const std::size_t first = out.size();
+    const std::size_t size = source.shape.count * source.shape.components;
+    out.resize(first + size);
+    if (source.elements) source.copy(out.data() + first);
+    if (auto status = read_sparse(source, out.data() + first); !status)
+        return in_accessor(use, index, base::at("sparse", status.issue()));
+    if (use.allow_not_finite) return size;
+    const std::size_t bad = first_not_finite(out.data() + first, size);
+    if (bad == size) return size;
+    return in_accessor(use, index,
+                       {IssueCode::glb_number, "",
+                        fmt::format("element {} is {}", bad / source.shape.components, out[first + bad])});
 }
 
 base::Result<std::vector<float>> AccessorReader::read_floats(int index, const AccessorUse& use) {
-    const bool exists = index >= 0 && static_cast<std::size_t>(index) < model_.accessors.size();
-    const bool plain = exists && !model_.accessors[static_cast<std::size_t>(index)].normalized;
-    auto floats = read<float>(index, use, plain ? to_plain_float : to_float);
-    if (!floats || use.allow_not_finite) return floats;
-    const auto& values = floats.value();
-    const auto bad = std::find_if(values.begin(), values.end(), [](float v) { return !std::isfinite(v); });
-    if (bad == values.end()) return floats;
-    return Issue{IssueCode::glb_number, fmt::format("{} (accessors/{})", use.where, index),
-                 fmt::format("element {} is {}",
-                             (bad - values.begin()) / static_cast<long>(type_components(use.type)), *bad)};
+    std::vector<float> out;
+    const auto added = append_floats(index, use, out);
+    if (!added) return added.issue();
+    return out;
 }
 
 base::Result<std::vector<std::uint32_t>> AccessorReader::read_integers(int index, const AccessorUse& use) {
-    return read<std::uint32_t>(index, use, to_integer);
+    const auto opened = open(index, use);
+    if (!opened) return in_accessor(use, index, opened.issue());
+    const Source& source = opened.value();
+    std::vector<std::uint32_t> out(source.shape.count * source.shape.components);
+    if (source.elements) source.copy(out.data());
+    if (auto status = read_sparse(source, out.data()); !status)
+        return in_accessor(use, index, base::at("sparse", status.issue()));
+    return out;
+}
+
+std::uint64_t AccessorReader::declared_count(int index) const {
+    if (index < 0 || static_cast<std::size_t>(index) >= model().accessors.size()) return 0;
+    return model().accessors[static_cast<std::size_t>(index)].count;
+}
+
+base::Result<DracoMesh> AccessorReader::read_draco(int view_index, const DracoLimits& limits) {
+    const auto bytes = views_.bytes(view_index);
+    if (!bytes) return bytes.issue();
+    return DracoMesh::decode(bytes.value(), limits, budget_);
 }
 
 }  // namespace posepack::animal

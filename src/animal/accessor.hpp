@@ -1,23 +1,39 @@
 // SPDX-License-Identifier: MIT
-// Accessors: the only way from glTF data to numbers. All arithmetic on counts and offsets is checked here.
+// Accessors: the only way from glTF data to numbers.
 #pragma once
 
 #include <cstdint>
 #include <initializer_list>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "animal/load_gltf.hpp"
+#include "animal/buffer_views.hpp"
+#include "animal/draco_mesh.hpp"
+#include "animal/element_span.hpp"
 
 namespace posepack::animal {
 
+// A place in the glTF, put into words only when a message needs it: "meshes/0/primitives/1/POSITION".
+struct Place {
+    std::string_view list;
+    std::size_t index = 0;
+    std::string_view inner_list = {};  // empty: none
+    std::size_t inner_index = 0;
+    std::string_view leaf = {};  // empty: none
+
+    std::string text() const;
+};
+
 // What a use of an accessor asks for.
 struct AccessorUse {
-    std::string where;                // for messages: "meshes/0/primitives/1/POSITION"
-    int type = TINYGLTF_TYPE_SCALAR;  // TINYGLTF_TYPE_*
-    std::initializer_list<int>
-        components;                 // accepted component types; integers must be normalised for floats
-    bool allow_not_finite = false;  // weights: repaired later
+    Place place;
+    int type = TINYGLTF_TYPE_SCALAR;        // TINYGLTF_TYPE_*
+    std::initializer_list<int> components;  // accepted component types
+    bool allow_not_finite = false;          // weights: repaired later
+    // An attribute of a Draco primitive: its values come from there instead of a buffer view.
+    const DracoMesh* draco = nullptr;
+    std::uint32_t draco_id = 0;
 };
 
 // Reads accessors of one model, and counts what they decode to against a limit that grows with the file.
@@ -26,26 +42,38 @@ class AccessorReader {
     explicit AccessorReader(const LoadedGltf& gltf);
 
     // Every element as floats, element by element, component by component; matrices column by column.
-    // Normalised integers are converted by glTF 2.0 section 3.11. Errors: E-GLB-REFERENCE,
-    // E-GLB-ACCESSOR-*, E-GLB-VIEW-RANGE, E-GLB-SPARSE, E-GLB-NUMBER, E-LIM-DECODED.
+    // Normalised integers are converted by glTF 2.0 section 3.11, others keep their value
+    // (KHR_mesh_quantization). Errors: E-GLB-REFERENCE, E-GLB-ACCESSOR-*, E-GLB-VIEW-RANGE, E-GLB-URI,
+    // E-GLB-SPARSE, E-GLB-NUMBER, E-GLB-MESHOPT, E-GLB-DRACO, E-GLB-EXTENSION, E-LIM-DECODED.
     base::Result<std::vector<float>> read_floats(int index, const AccessorUse& use);
+
+    // The same, behind what `out` holds already. Returns the numbers added.
+    base::Result<std::size_t> append_floats(int index, const AccessorUse& use, std::vector<float>& out);
 
     // Every element as unsigned integers. Errors as above.
     base::Result<std::vector<std::uint32_t>> read_integers(int index, const AccessorUse& use);
 
-    const tinygltf::Model& model() const { return model_; }
+    // Elements that an accessor declares; 0 when it does not exist.
+    std::uint64_t declared_count(int index) const;
+
+    // Decodes the primitive of KHR_draco_mesh_compression in a buffer view. Errors: as above.
+    base::Result<DracoMesh> read_draco(int view_index, const DracoLimits& limits);
+
+    const tinygltf::Model& model() const { return gltf_.model_ref(); }
+    const GltfFacts& facts() const { return gltf_.facts; }
 
  private:
     struct Source;
     base::Result<Source> open(int index, const AccessorUse& use);
-    base::Result<Source> open_view(int view_index, std::size_t byte_offset, std::size_t count, int type,
-                                   int component, bool tight, const std::string& where) const;
-    template <class T, class Convert>
-    base::Result<std::vector<T>> read(int index, const AccessorUse& use, Convert convert);
+    base::Result<ElementSpan> open_view(int view_index, std::size_t byte_offset, const ElementShape& shape,
+                                        bool is_tight);
+    base::Status open_draco(const AccessorUse& use, Source& source);
+    template <class T>
+    base::Status read_sparse(const Source& source, T* out);
 
-    const tinygltf::Model& model_;
-    std::uint64_t decoded_bytes_ = 0;
-    std::uint64_t decoded_limit_bytes_ = 0;
+    const LoadedGltf& gltf_;
+    DecodeBudget budget_;
+    BufferViews views_;
 };
 
 }  // namespace posepack::animal

@@ -3,13 +3,10 @@
 
 #include <fmt/format.h>
 
-#include "animal/rapidjson_settings.hpp"
-
-#include <rapidjson/memorystream.h>
-#include <rapidjson/reader.h>
-
 #include <algorithm>
 #include <array>
+
+#include "base/text.hpp"
 
 namespace posepack::animal {
 namespace {
@@ -17,74 +14,232 @@ namespace {
 using base::Issue;
 using base::IssueCode;
 
-// Extensions that a file may require: they change neither joints nor the place of a vertex in its mesh,
-// or only the component types that the accessor reader knows anyway.
-constexpr std::array<std::string_view, 22> kHarmlessExtensions{
-    "KHR_mesh_quantization",     "KHR_texture_transform",
-    "KHR_texture_basisu",        "KHR_materials_unlit",
-    "KHR_materials_clearcoat",   "KHR_materials_transmission",
-    "KHR_materials_ior",         "KHR_materials_sheen",
-    "KHR_materials_specular",    "KHR_materials_volume",
-    "KHR_materials_iridescence", "KHR_materials_anisotropy",
-    "KHR_materials_dispersion",  "KHR_materials_emissive_strength",
-    "KHR_materials_variants",    "KHR_materials_pbrSpecularGlossiness",
-    "KHR_lights_punctual",       "KHR_xmp_json_ld",
-    "EXT_texture_webp",          "EXT_texture_avif",
-    "MSFT_texture_dds",          "KHR_node_visibility"};
+// Extensions that a file may require: those that posepack reads, and those that change neither joints nor
+// the place of a vertex in its mesh.
+constexpr std::array<std::string_view, 27> kKnownExtensions{"KHR_draco_mesh_compression",
+                                                            "EXT_meshopt_compression",
+                                                            "KHR_meshopt_compression",
+                                                            "KHR_mesh_quantization",
+                                                            "KHR_animation_pointer",
+                                                            "KHR_texture_transform",
+                                                            "KHR_texture_basisu",
+                                                            "KHR_materials_unlit",
+                                                            "KHR_materials_clearcoat",
+                                                            "KHR_materials_transmission",
+                                                            "KHR_materials_ior",
+                                                            "KHR_materials_sheen",
+                                                            "KHR_materials_specular",
+                                                            "KHR_materials_volume",
+                                                            "KHR_materials_iridescence",
+                                                            "KHR_materials_anisotropy",
+                                                            "KHR_materials_dispersion",
+                                                            "KHR_materials_emissive_strength",
+                                                            "KHR_materials_variants",
+                                                            "KHR_materials_pbrSpecularGlossiness",
+                                                            "KHR_materials_diffuse_transmission",
+                                                            "KHR_lights_punctual",
+                                                            "KHR_xmp_json_ld",
+                                                            "EXT_texture_webp",
+                                                            "EXT_texture_avif",
+                                                            "MSFT_texture_dds",
+                                                            "KHR_node_visibility"};
 
-// Follows the path of keys: depth 1 is the root object.
-struct FactHandler : rapidjson::BaseReaderHandler<rapidjson::UTF8<>, FactHandler> {
-    int depth = 0;
-    bool root_is_object = false;
-    std::string section;  // key in the root object
-    std::string key;      // last key at any deeper level
-    std::string buffer_uri;
-    bool has_buffer_uri = false;
-    std::string unknown_extension;
+constexpr std::size_t kShownUriBytes = 64;
 
-    bool StartObject() {
-        if (depth == 0) root_is_object = true;
-        ++depth;
-        return true;
-    }
-    bool EndObject(rapidjson::SizeType) { return --depth, true; }
-    bool StartArray() { return ++depth, true; }
-    bool EndArray(rapidjson::SizeType) { return --depth, true; }
-    bool Key(const char* text, rapidjson::SizeType size, bool) {
-        (depth == 1 ? section : key).assign(text, size);
-        return true;
-    }
-    bool String(const char* text, rapidjson::SizeType size, bool) {
-        const std::string_view value(text, size);
-        if (section == "buffers" && depth == 3 && key == "uri" && !has_buffer_uri) {
-            has_buffer_uri = true;
-            buffer_uri = value;
-        }
-        if (section == "extensionsRequired" && depth == 2 && unknown_extension.empty() &&
-            std::find(kHarmlessExtensions.begin(), kHarmlessExtensions.end(), value) ==
-                kHarmlessExtensions.end())
-            unknown_extension = value;
-        return true;
-    }
+enum class Section : std::uint8_t { other, buffers, meshes, animations, required };
+
+// Keys below the root that matter somewhere.
+enum class KeyName : std::uint8_t {
+    other, uri, byte_length, extensions, meshopt, fallback, primitives, indices,
+    channels, sampler, animation_pointer, pointer
 };
+
+struct NamedKey {
+    std::string_view name;
+    KeyName key;
+};
+
+constexpr std::array<NamedKey, 12> kKeys{{{"uri", KeyName::uri},
+                                          {"byteLength", KeyName::byte_length},
+                                          {"extensions", KeyName::extensions},
+                                          {"EXT_meshopt_compression", KeyName::meshopt},
+                                          {"KHR_meshopt_compression", KeyName::meshopt},
+                                          {"fallback", KeyName::fallback},
+                                          {"primitives", KeyName::primitives},
+                                          {"indices", KeyName::indices},
+                                          {"channels", KeyName::channels},
+                                          {"sampler", KeyName::sampler},
+                                          {"KHR_animation_pointer", KeyName::animation_pointer},
+                                          {"pointer", KeyName::pointer}}};
+
+KeyName key_of(std::string_view name) {
+    for (const NamedKey& known : kKeys)
+        if (known.name == name) return known.key;
+    return KeyName::other;
+}
+
+// Depth counts open objects and arrays: keys of the root object are at depth 1, those of a buffer at 3.
+class FactVisitor final : public base::JsonVisitor {
+ public:
+    explicit FactVisitor(bool keep_data_uris) : keep_data_uris_(keep_data_uris) {}
+
+    GltfFacts facts;
+
+    void key(std::string_view name, std::size_t offset) override {
+        if (depth_ == 1) {
+            open_section(name, offset);
+        } else if (section_ != Section::other && depth_ < keys_.size()) {
+            keys_[depth_] = key_of(name);
+            if (section_ == Section::meshes && is_at(5, KeyName::indices, 3, KeyName::primitives))
+                facts.hidden_keys.push_back(offset);
+        }
+    }
+
+    void text(std::string_view value) override {
+        if (section_ == Section::buffers && is_at(3, KeyName::uri)) {
+            const bool keep = keep_data_uris_ && value.starts_with("data:");
+            facts.buffers.back().has_uri = true;
+            facts.buffers.back().uri = keep ? value : value.substr(0, kShownUriBytes);
+        } else if (section_ == Section::animations && is_at(8, KeyName::pointer, 7, KeyName::animation_pointer)) {
+            channel_.pointer = value;
+        } else if (section_ == Section::required && depth_ == 2 && facts.unknown_extension.empty() &&
+                   std::find(kKnownExtensions.begin(), kKnownExtensions.end(), value) ==
+                       kKnownExtensions.end()) {
+            facts.unknown_extension = value;
+        }
+    }
+
+    void number(double value) override {
+        if (section_ == Section::buffers && is_at(3, KeyName::byte_length))
+            facts.buffers.back().byte_length = value;
+        else if (section_ == Section::animations && is_at(5, KeyName::sampler, 3, KeyName::channels))
+            channel_.sampler = index_of(value);
+        else if (section_ == Section::meshes && is_at(5, KeyName::indices, 3, KeyName::primitives))
+            facts.indices.push_back({counts_[2], counts_[4], index_of(value)});
+    }
+
+    void truth(bool value) override {
+        if (section_ == Section::buffers && is_at(5, KeyName::fallback, 4, KeyName::meshopt) &&
+            keys_[3] == KeyName::extensions)
+            facts.buffers.back().is_fallback = value;
+    }
+
+    void open(bool is_array) override {
+        if (depth_ == 0) facts.root_is_object = !is_array;
+        if (section_ != Section::other) begin_item(is_array);
+        ++depth_;
+    }
+
+    void close() override {
+        --depth_;
+        if (section_ == Section::other || depth_ >= counts_.size()) return;
+        if (section_ == Section::animations && depth_ == 4 && keys_[3] == KeyName::channels &&
+            !channel_.pointer.empty())
+            facts.pointers.push_back(channel_);
+        ++counts_[depth_];
+    }
+
+ private:
+    void open_section(std::string_view name, std::size_t offset) {
+        section_ = name == "buffers"              ? Section::buffers
+                   : name == "meshes"             ? Section::meshes
+                   : name == "animations"         ? Section::animations
+                   : name == "extensionsRequired" ? Section::required
+                                                  : Section::other;
+        if (section_ == Section::buffers || name == "images") facts.hidden_keys.push_back(offset);
+    }
+
+    // counts_[d]: how many objects and arrays have closed in the one that is open at depth d.
+    void begin_item(bool is_array) {
+        if (depth_ + 1 < counts_.size()) {
+            counts_[depth_ + 1] = 0;
+            keys_[depth_ + 1] = KeyName::other;
+        }
+        if (depth_ == 2 && section_ == Section::buffers && !is_array) facts.buffers.emplace_back();
+        if (depth_ == 4 && section_ == Section::animations)
+            channel_ = {counts_[2], counts_[4], -1, {}};
+    }
+
+    bool is_at(std::size_t depth, KeyName key) const { return depth_ == depth && keys_[depth] == key; }
+    bool is_at(std::size_t depth, KeyName key, std::size_t above, KeyName key_above) const {
+        return is_at(depth, key) && keys_[above] == key_above;
+    }
+    static int index_of(double value) {
+        return value >= 0.0 && value < 2147483647.0 ? static_cast<int>(value) : -1;
+    }
+
+    bool keep_data_uris_;
+    Section section_ = Section::other;
+    std::size_t depth_ = 0;
+    std::array<KeyName, 9> keys_{};
+    std::array<std::size_t, 9> counts_{};
+    PointerChannel channel_;
+};
+
+base::Status check_text(const base::JsonCheck& check) {
+    const auto issue = [&](IssueCode code) {
+        return Issue{code, fmt::format("JSON chunk, byte {}", check.offset), check.detail};
+    };
+    switch (check.fault) {
+        case base::JsonFault::none:
+            return {};
+        case base::JsonFault::syntax:
+        case base::JsonFault::utf8:
+            return issue(IssueCode::glb_json);
+        case base::JsonFault::number_range:
+            return issue(IssueCode::glb_number);
+        case base::JsonFault::duplicate_key:
+            return issue(IssueCode::glb_json_dup);
+        case base::JsonFault::too_deep:
+            return issue(IssueCode::lim_json_depth);
+    }
+    return {};
+}
+
+base::Status check_buffers(const GltfFacts& facts, bool allow_data_uris) {
+    for (std::size_t b = 0; b < facts.buffers.size(); ++b) {
+        const BufferFacts& buffer = facts.buffers[b];
+        const std::string where = fmt::format("buffers/{}", b);
+        if (buffer.byte_length < 1.0)
+            return Issue{IssueCode::glb_schema, where, "expected a byteLength of at least 1"};
+        if (!buffer.has_uri || buffer.is_fallback) continue;
+        const bool is_data = buffer.uri.starts_with("data:");
+        if (is_data && allow_data_uris) continue;
+        return Issue{IssueCode::glb_uri, where,
+                     fmt::format("expected the data in the BIN chunk, found the uri '{}'{}",
+                                 base::printable(base::shortened(buffer.uri, kShownUriBytes)),
+                                 is_data ? " (--allow-data-uris reads it)" : "")};
+    }
+    return {};
+}
 
 }  // namespace
 
-base::Status check_gltf_facts(std::string_view json) {
-    FactHandler facts;
-    rapidjson::MemoryStream stream(json.data(), json.size());
-    rapidjson::Reader reader;
-    reader.Parse<rapidjson::kParseIterativeFlag>(stream, facts);
+int GltfFacts::indices_of(std::size_t mesh, std::size_t primitive) const {
+    const auto found = std::find_if(indices.begin(), indices.end(), [&](const PrimitiveIndices& item) {
+        return item.mesh == mesh && item.primitive == primitive;
+    });
+    return found == indices.end() ? -1 : found->accessor;
+}
+
+base::Result<GltfFacts> read_gltf_facts(std::string_view json, bool allow_data_uris) {
+    FactVisitor visitor(allow_data_uris);
+    if (auto status = check_text(base::check_json(json, &visitor)); !status) return status.issue();
+    const GltfFacts& facts = visitor.facts;
     if (!facts.root_is_object)
         return Issue{IssueCode::glb_json, "", "expected a JSON object as the root, found another value"};
     if (!facts.unknown_extension.empty())
         return Issue{IssueCode::glb_extension, "extensionsRequired",
                      fmt::format("this posepack does not read {}", facts.unknown_extension)};
-    if (facts.has_buffer_uri)
-        return Issue{IssueCode::glb_uri, "buffers",
-                     fmt::format("expected the data in the BIN chunk, found the uri '{}'",
-                                 facts.buffer_uri.substr(0, 64))};
-    return {};
+    if (auto status = check_buffers(facts, allow_data_uris); !status) return status.issue();
+    return std::move(visitor.facts);
+}
+
+std::string with_hidden_keys(std::string_view json, const GltfFacts& facts) {
+    std::string text(json);
+    // The byte behind the opening quote belongs to the key, even where it begins an escape.
+    for (const std::size_t offset : facts.hidden_keys) text[offset + 1] = '~';
+    return text;
 }
 
 }  // namespace posepack::animal

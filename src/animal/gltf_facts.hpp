@@ -1,17 +1,59 @@
 // SPDX-License-Identifier: MIT
-// What must be known of a glTF before a parser that opens files or needs extensions may see it.
+// What must be known of a glTF before a parser may see it, and what that parser does not tell.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "base/json.hpp"
 #include "base/result.hpp"
 
 namespace posepack::animal {
 
-// Checks, in one streaming pass over JSON that check_json accepted, that no buffer lies outside the GLB and
-// that every required extension is one that posepack reads or that does not change geometry.
-// Errors: E-GLB-URI, E-GLB-EXTENSION, E-GLB-JSON when the root is no object.
-base::Status check_gltf_facts(std::string_view json);
+struct BufferFacts {
+    double byte_length = -1.0;  // as declared; below 0 when it is not
+    bool has_uri = false;
+    bool is_fallback = false;  // of EXT_meshopt_compression: its bytes are never needed
+    std::string uri;           // verbatim where it is a data URI, else its first bytes for messages
+};
+
+// A channel that KHR_animation_pointer aims, which may have no target node.
+struct PointerChannel {
+    std::size_t animation = 0, channel = 0;  // channel: among all channels of the animation
+    int sampler = -1;
+    std::string pointer;  // "/nodes/3/rotation"
+};
+
+struct PrimitiveIndices {
+    std::size_t mesh = 0, primitive = 0;
+    int accessor = -1;
+};
+
+struct GltfFacts {
+    bool root_is_object = false;
+    std::vector<BufferFacts> buffers;
+    std::vector<PointerChannel> pointers;
+    std::vector<PrimitiveIndices> indices;  // in the order of the file
+    std::string unknown_extension;          // required, but not read; empty: none
+    // Where the opening quotes of keys stand that tinygltf must not see: "buffers" and "images" (it would
+    // map each buffer without a uri to the BIN chunk, and read images out of range), and the "indices" of
+    // primitives (it refuses those without a buffer view, which Draco and sparse accessors have).
+    std::vector<std::size_t> hidden_keys;
+
+    // The accessor of a primitive's indices, or -1.
+    int indices_of(std::size_t mesh, std::size_t primitive) const;
+};
+
+// Checks the JSON chunk and gathers its facts, in one streaming pass.
+// Errors: E-GLB-JSON*, E-GLB-NUMBER, E-LIM-JSON-DEPTH; E-GLB-JSON when the root is no object; E-GLB-EXTENSION
+// for a required extension that posepack neither reads nor may ignore; E-GLB-URI for a buffer outside the
+// file, unless it is a fallback, or a data URI and `allow_data_uris` is set; E-GLB-SCHEMA for a buffer without
+// a length.
+base::Result<GltfFacts> read_gltf_facts(std::string_view json, bool allow_data_uris);
+
+// The text again with the first letter of each hidden key changed, so that nobody knows it.
+std::string with_hidden_keys(std::string_view json, const GltfFacts& facts);
 
 }  // namespace posepack::animal

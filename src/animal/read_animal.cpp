@@ -23,7 +23,7 @@ void ReadContext::note(IssueCode code, std::string where, std::string detail) {
 }
 
 base::Result<Animal> read_animal(std::span<const std::uint8_t> bytes, const ReadOptions& options) {
-    auto gltf = load_gltf(bytes);
+    auto gltf = load_gltf(bytes, options);
     if (!gltf) return gltf.issue();
     Animal animal;
     AccessorReader accessors(gltf.value());

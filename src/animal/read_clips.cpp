@@ -2,9 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <map>
 #include <optional>
+#include <unordered_map>
 
 #include "animal/names.hpp"
 #include "animal/read_parts.hpp"
@@ -26,15 +27,15 @@ struct ClipRepairs {
     std::uint32_t equal_times = 0, not_unit = 0, doubled = 0, left_out = 0;
 };
 
-base::Status check_times(std::span<const float> times, const std::string& where, ClipRepairs& repairs) {
+base::Status check_times(std::span<const float> times, const Place& place, ClipRepairs& repairs) {
     for (std::size_t k = 0; k < times.size(); ++k) {
         if (times[k] < 0.0f)
-            return Issue{IssueCode::glb_times, where,
+            return Issue{IssueCode::glb_times, place.text(),
                          fmt::format("key {} is at {} s, expected 0 or later", k, times[k])};
         if (k == 0) continue;
         if (times[k] < times[k - 1])
             return Issue{
-                IssueCode::glb_times, where,
+                IssueCode::glb_times, place.text(),
                 fmt::format("key {} at {} s comes before key {} at {} s", k, times[k], k - 1, times[k - 1])};
         if (static_cast<double>(times[k]) - times[k - 1] < kEqualTimesS) ++repairs.equal_times;
     }
@@ -42,16 +43,19 @@ base::Status check_times(std::span<const float> times, const std::string& where,
 }
 
 // Makes the rotations of a channel unit length; tangents of cubic splines keep theirs.
-base::Status check_rotations(std::span<float> values, bool cubic, const std::string& where,
-                             ClipRepairs& repairs) {
+base::Status check_rotations(std::span<float> values, bool cubic, const Place& place, ClipRepairs& repairs) {
+    // Squares of lengths that are surely within the tolerance, so that few keys cost a square root.
+    constexpr double kLow = (1.0 - 0.99 * kUnitTolerance) * (1.0 - 0.99 * kUnitTolerance);
+    constexpr double kHigh = (1.0 + 0.99 * kUnitTolerance) * (1.0 + 0.99 * kUnitTolerance);
     const std::size_t stride = cubic ? 12 : 4;
     for (std::size_t k = 0; k * stride < values.size(); ++k) {
         float* q = &values[k * stride + (cubic ? 4 : 0)];
         double sum = 0.0;
         for (int c = 0; c < 4; ++c) sum += static_cast<double>(q[c]) * q[c];
+        if (sum > kLow && sum < kHigh) continue;
         const double length = std::sqrt(sum);
         if (length < 1e-6)
-            return Issue{IssueCode::glb_quat, where, fmt::format("rotation key {} is zero", k)};
+            return Issue{IssueCode::glb_quat, place.text(), fmt::format("rotation key {} is zero", k)};
         if (std::abs(length - 1.0) > kUnitTolerance) {
             ++repairs.not_unit;
             for (int c = 0; c < 4; ++c) q[c] = static_cast<float>(q[c] / length);
@@ -72,17 +76,18 @@ class ChannelReader {
  public:
     explicit ChannelReader(ReadContext& context) : context_(context) {}
 
-    base::Status read(const tinygltf::AnimationSampler& sampler, const std::string& where, Channel& channel,
+    // `place` is the sampler's, without a leaf.
+    base::Status read(const tinygltf::AnimationSampler& sampler, Place place, Channel& channel,
                       ClipRepairs& repairs) {
-        if (auto status = read_interpolation(sampler.interpolation, where, channel); !status) return status;
-        if (auto status = read_times(sampler.input, where + "/input", channel, repairs); !status)
-            return status;
-        return read_values(sampler.output, where + "/output", channel, repairs);
+        if (auto status = read_interpolation(sampler.interpolation, place, channel); !status) return status;
+        place.leaf = "input";
+        if (auto status = read_times(sampler.input, place, channel, repairs); !status) return status;
+        place.leaf = "output";
+        return read_values(sampler.output, place, channel, repairs);
     }
 
  private:
-    static base::Status read_interpolation(const std::string& name, const std::string& where,
-                                           Channel& channel) {
+    static base::Status read_interpolation(const std::string& name, const Place& place, Channel& channel) {
         if (name.empty() || name == "LINEAR")
             channel.interpolation = Interpolation::linear;
         else if (name == "STEP")
@@ -90,104 +95,168 @@ class ChannelReader {
         else if (name == "CUBICSPLINE")
             channel.interpolation = Interpolation::cubic_spline;
         else
-            return Issue{IssueCode::glb_channel, where,
+            return Issue{IssueCode::glb_channel, place.text(),
                          fmt::format("unknown interpolation '{}'", name.substr(0, 64))};
         return {};
     }
 
-    base::Status read_times(int accessor, const std::string& where, Channel& channel, ClipRepairs& repairs) {
+    base::Status read_times(int accessor, const Place& place, Channel& channel, ClipRepairs& repairs) {
         const auto known = times_.find(accessor);
         if (known != times_.end()) {
             channel.first_time = known->second.first_time;
             channel.key_count = known->second.key_count;
             return {};
         }
-        const auto times = context_.accessors.read_floats(
-            accessor, {where, TINYGLTF_TYPE_SCALAR, {TINYGLTF_COMPONENT_TYPE_FLOAT}});
-        if (!times) return times.issue();
-        if (times.value().size() > kMaxKeys)
-            return Issue{IssueCode::lim_count, where,
-                         fmt::format("expected at most {} keys, found {}", kMaxKeys, times.value().size())};
-        if (auto status = check_times(times.value(), where, repairs); !status) return status;
         auto& pool = context_.animal.key_times;
-        channel.first_time = static_cast<std::uint32_t>(pool.size());
-        channel.key_count = static_cast<std::uint32_t>(times.value().size());
-        pool.insert(pool.end(), times.value().begin(), times.value().end());
+        const std::size_t first = pool.size();
+        const auto added = context_.accessors.append_floats(accessor, {place, TINYGLTF_TYPE_SCALAR, {kFloat}}, pool);
+        if (!added) return added.issue();
+        if (added.value() > kMaxKeys)
+            return Issue{IssueCode::lim_count, place.text(),
+                         fmt::format("expected at most {} keys, found {}", kMaxKeys, added.value())};
+        if (auto status = check_times(std::span(pool).subspan(first), place, repairs); !status) return status;
+        channel.first_time = static_cast<std::uint32_t>(first);
+        channel.key_count = static_cast<std::uint32_t>(added.value());
         times_.emplace(accessor, channel);
         return {};
     }
 
-    base::Status read_values(int accessor, const std::string& where, Channel& channel, ClipRepairs& repairs) {
+    base::Status read_values(int accessor, const Place& place, Channel& channel, ClipRepairs& repairs) {
         const bool rotation = channel.path == Path::rotation;
         const bool cubic = channel.interpolation == Interpolation::cubic_spline;
-        const std::initializer_list<int> kinds{TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_COMPONENT_TYPE_BYTE,
-                                               TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE,
-                                               TINYGLTF_COMPONENT_TYPE_SHORT,
-                                               TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT};
-        auto values = context_.accessors.read_floats(
-            accessor, {where, rotation ? TINYGLTF_TYPE_VEC4 : TINYGLTF_TYPE_VEC3, kinds});
-        if (!values) return values.issue();
-        const std::size_t needed = std::size_t{channel.key_count} * (rotation ? 4 : 3) * (cubic ? 3 : 1);
-        if (values.value().size() < needed)
-            return Issue{IssueCode::glb_accessor_count, where,
-                         fmt::format("expected {} numbers for {} keys, found {}", needed, channel.key_count,
-                                     values.value().size())};
-        values.value().resize(needed);
-        if (rotation)
-            if (auto status = check_rotations(values.value(), cubic, where, repairs); !status) return status;
+        const AccessorUse use{place,
+                              rotation ? TINYGLTF_TYPE_VEC4 : TINYGLTF_TYPE_VEC3,
+                              {kFloat, kByte, kUnsignedByte, kShort, kUnsignedShort}};
         auto& pool = context_.animal.key_values;
-        channel.first_value = static_cast<std::uint32_t>(pool.size());
-        pool.insert(pool.end(), values.value().begin(), values.value().end());
+        const std::size_t first = pool.size();
+        const auto added = context_.accessors.append_floats(accessor, use, pool);
+        if (!added) return added.issue();
+        const std::size_t needed = std::size_t{channel.key_count} * (rotation ? 4 : 3) * (cubic ? 3 : 1);
+        if (added.value() < needed)
+            return Issue{IssueCode::glb_accessor_count, place.text(),
+                         fmt::format("expected {} numbers for {} keys, found {}", needed, channel.key_count,
+                                     added.value())};
+        pool.resize(first + needed);
+        channel.first_value = static_cast<std::uint32_t>(first);
+        if (!rotation) return {};
+        return check_rotations(std::span(pool).subspan(first), cubic, place, repairs);
+    }
+
+    ReadContext& context_;
+    std::unordered_map<int, Channel> times_;
+};
+
+// The channels of one clip by what they move.
+class Targets {
+ public:
+    explicit Targets(std::size_t node_count) : channels_(node_count * 3, kNone) {}
+
+    // The last of several channels on one target wins (glTF 2.0 section 3.11 forbids them).
+    void add(Clip& clip, const Channel& channel, ClipRepairs& repairs) {
+        std::uint32_t& slot = channels_[channel.node * std::size_t{3} + static_cast<std::size_t>(channel.path)];
+        if (slot == kNone) {
+            slot = static_cast<std::uint32_t>(clip.channels.size());
+            clip.channels.push_back(channel);
+        } else {
+            ++repairs.doubled;
+            clip.channels[slot] = channel;
+        }
+    }
+
+    // Forgets the clip, for the next one.
+    void clear(const Clip& clip) {
+        for (const Channel& channel : clip.channels)
+            channels_[channel.node * std::size_t{3} + static_cast<std::size_t>(channel.path)] = kNone;
+    }
+
+ private:
+    std::vector<std::uint32_t> channels_;
+};
+
+// What a channel of the file aims at.
+struct Aim {
+    int node = -1, sampler = -1;
+    Path path = Path::translation;
+};
+
+// "/nodes/3/rotation" of KHR_animation_pointer; nothing for every other pointer.
+std::optional<Aim> aim_of(const PointerChannel& channel) {
+    constexpr std::string_view kNodes = "/nodes/";
+    std::string_view text = channel.pointer;
+    if (!text.starts_with(kNodes)) return std::nullopt;
+    text.remove_prefix(kNodes.size());
+    Aim aim;
+    aim.sampler = channel.sampler;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), aim.node);
+    if (error != std::errc() || aim.node < 0 || end == text.data() + text.size() || *end != '/')
+        return std::nullopt;
+    const auto path = path_of(std::string(end + 1, text.data() + text.size()));
+    if (!path) return std::nullopt;
+    aim.path = *path;
+    return aim;
+}
+
+// Reads the channels of one clip after the other.
+class ClipReader {
+ public:
+    explicit ClipReader(ReadContext& context)
+        : context_(context), channels_(context), targets_(context.animal.nodes.size()) {}
+
+    base::Status read(std::size_t index, Clip& clip, ClipRepairs& repairs) {
+        const auto& channels = context_.model().animations[index].channels;
+        for (std::size_t c = 0; c < channels.size(); ++c) {
+            const auto path = path_of(channels[c].target_path);
+            if (!path || channels[c].target_node < 0) {
+                // Pointers follow below.
+                if (channels[c].target_path != "pointer") ++repairs.left_out;
+                continue;
+            }
+            const Aim aim{channels[c].target_node, channels[c].sampler, *path};
+            if (auto status = read_channel(index, aim, c, clip, repairs); !status) return status;
+        }
+        for (const PointerChannel& pointer : context_.accessors.facts().pointers) {
+            if (pointer.animation != index) continue;
+            const auto aim = aim_of(pointer);
+            if (!aim)
+                ++repairs.left_out;
+            else if (auto status = read_channel(index, *aim, pointer.channel, clip, repairs); !status)
+                return status;
+        }
+        targets_.clear(clip);
+        return {};
+    }
+
+ private:
+    base::Status read_channel(std::size_t animation, const Aim& aim, std::size_t channel_index, Clip& clip,
+                              ClipRepairs& repairs) {
+        const auto& samplers = context_.model().animations[animation].samplers;
+        const auto refuse = [&](IssueCode code, std::string detail) {
+            return Issue{code, Place{"animations", animation, "channels", channel_index}.text(),
+                         std::move(detail)};
+        };
+        if (static_cast<std::size_t>(aim.node) >= context_.animal.nodes.size())
+            return refuse(IssueCode::glb_reference, fmt::format("node {} does not exist", aim.node));
+        if (aim.sampler < 0 || static_cast<std::size_t>(aim.sampler) >= samplers.size())
+            return refuse(IssueCode::glb_channel, fmt::format("sampler {} does not exist", aim.sampler));
+        Channel channel;
+        channel.node = static_cast<std::uint32_t>(aim.node);
+        channel.path = aim.path;
+        const auto sampler = static_cast<std::size_t>(aim.sampler);
+        if (auto status = channels_.read(samplers[sampler], {"animations", animation, "samplers", sampler},
+                                         channel, repairs);
+            !status)
+            return status;
+        if (context_.animal.nodes[channel.node].has_matrix)
+            return refuse(IssueCode::glb_channel,
+                          fmt::format("node {} has a matrix and must not be animated", channel.node));
+        targets_.add(clip, channel, repairs);
         return {};
     }
 
     ReadContext& context_;
-    std::map<int, Channel> times_;
+    ChannelReader channels_;
+    Targets targets_;
 };
-
-// The channels of one clip by what they move.
-using Targets = std::map<std::pair<std::uint32_t, Path>, std::size_t>;
-
-// The last of several channels on one target wins (glTF 2.0 section 3.11 forbids them).
-void add_channel(Clip& clip, Targets& targets, const Channel& channel, ClipRepairs& repairs) {
-    const auto [place, is_new] = targets.try_emplace({channel.node, channel.path}, clip.channels.size());
-    if (is_new) {
-        clip.channels.push_back(channel);
-    } else {
-        ++repairs.doubled;
-        clip.channels[place->second] = channel;
-    }
-}
-
-base::Status read_channel(ReadContext& context, ChannelReader& reader, const tinygltf::Animation& source,
-                          std::size_t index, const std::string& where, Clip& clip, Targets& targets,
-                          ClipRepairs& repairs) {
-    const tinygltf::AnimationChannel& channel_source = source.channels[index];
-    const std::string place = fmt::format("{}/channels/{}", where, index);
-    if (channel_source.target_path == "weights") return ++repairs.left_out, base::Status{};
-    const auto path = path_of(channel_source.target_path);
-    if (!path || channel_source.target_node < 0) return ++repairs.left_out, base::Status{};
-    if (static_cast<std::size_t>(channel_source.target_node) >= context.animal.nodes.size())
-        return Issue{IssueCode::glb_reference, place,
-                     fmt::format("node {} does not exist", channel_source.target_node)};
-    if (channel_source.sampler < 0 ||
-        static_cast<std::size_t>(channel_source.sampler) >= source.samplers.size())
-        return Issue{IssueCode::glb_channel, place,
-                     fmt::format("sampler {} does not exist", channel_source.sampler)};
-    Channel channel;
-    channel.node = static_cast<std::uint32_t>(channel_source.target_node);
-    channel.path = *path;
-    const auto sampler_place = fmt::format("{}/samplers/{}", where, channel_source.sampler);
-    if (auto status = reader.read(source.samplers[static_cast<std::size_t>(channel_source.sampler)],
-                                  sampler_place, channel, repairs);
-        !status)
-        return status;
-    if (context.animal.nodes[channel.node].has_matrix)
-        return Issue{IssueCode::glb_channel, place,
-                     fmt::format("node {} has a matrix and must not be animated", channel.node)};
-    add_channel(clip, targets, channel, repairs);
-    return {};
-}
 
 base::Status report_repairs(ReadContext& context, const ClipRepairs& repairs, const std::string& where) {
     if (repairs.equal_times > 0)
@@ -242,7 +311,7 @@ base::Status refuse_without_clips(const tinygltf::Model& model) {
 
 base::Status read_clips(ReadContext& context) {
     const auto& animations = context.model().animations;
-    ChannelReader reader(context);
+    ClipReader reader(context);
     std::uint32_t left_out = 0;
     for (std::size_t a = 0; a < animations.size(); ++a) {
         const std::string where = fmt::format("animations/{}", a);
@@ -255,10 +324,7 @@ base::Status read_clips(ReadContext& context) {
         if (!source_name) return base::at(where, source_name.issue());
         clip.source_name = std::move(source_name).value();
         ClipRepairs repairs;
-        Targets targets;
-        for (std::size_t c = 0; c < animations[a].channels.size(); ++c)
-            if (auto s = read_channel(context, reader, animations[a], c, where, clip, targets, repairs); !s)
-                return s;
+        if (auto s = reader.read(a, clip, repairs); !s) return s;
         if (auto s = report_repairs(context, repairs, where); !s) return s;
         left_out += repairs.left_out;
         if (clip.channels.empty()) continue;

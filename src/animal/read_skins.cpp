@@ -21,12 +21,12 @@ struct SkinBones {
 };
 
 base::Result<std::vector<glm::dmat4>> read_inverse_binds(ReadContext& context, const tinygltf::Skin& skin,
-                                                         const std::string& where) {
+                                                         std::size_t index, const std::string& where) {
     std::vector<glm::dmat4> matrices(skin.joints.size(), glm::dmat4(1.0));
     if (skin.inverseBindMatrices < 0) return matrices;
     const auto floats = context.accessors.read_floats(
         skin.inverseBindMatrices,
-        {where + "/inverseBindMatrices", TINYGLTF_TYPE_MAT4, {TINYGLTF_COMPONENT_TYPE_FLOAT}});
+        {{"skins", index, {}, 0, "inverseBindMatrices"}, TINYGLTF_TYPE_MAT4, {kFloat}});
     if (!floats) return floats.issue();
     if (floats.value().size() / 16 < matrices.size())
         return Issue{IssueCode::glb_ibm_count, where,
@@ -66,7 +66,7 @@ base::Result<SkinBones> read_skin(ReadContext& context, int index,
     const tinygltf::Skin& skin = context.model().skins[static_cast<std::size_t>(index)];
     Animal& animal = context.animal;
     if (skin.joints.empty()) return Issue{IssueCode::glb_skin_joint, where, "expected joints, found none"};
-    const auto inverse_binds = read_inverse_binds(context, skin, where);
+    const auto inverse_binds = read_inverse_binds(context, skin, static_cast<std::size_t>(index), where);
     if (!inverse_binds) return inverse_binds.issue();
     SkinBones bones{static_cast<std::uint32_t>(animal.joint_map.size()),
                     static_cast<std::uint32_t>(skin.joints.size())};

@@ -52,8 +52,9 @@ void gather(std::span<const std::uint16_t> bones, std::span<const float> weights
         else
             out.push_back({bones[i], weights[i]});
     }
-    std::stable_sort(out.begin(), out.end(),
-                     [](const Influence& a, const Influence& b) { return a.weight > b.weight; });
+    // Insertion sort: stable, and these are few.
+    for (std::size_t i = 1; i < out.size(); ++i)
+        for (std::size_t k = i; k > 0 && out[k].weight > out[k - 1].weight; --k) std::swap(out[k], out[k - 1]);
 }
 
 }  // namespace

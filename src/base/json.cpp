@@ -14,7 +14,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <functional>
 #include <vector>
 
 #include "base/text.hpp"
@@ -67,7 +66,6 @@ namespace {
 
 // A key of an open object: its decoded bytes lie in KeyStack's arena.
 struct Key {
-    std::size_t hash;
     std::size_t arena_offset;
     std::size_t size_bytes;
     std::size_t text_offset;
@@ -81,7 +79,7 @@ class KeyStack {
 
     // Adds a key; returns false when the object holds it already.
     bool add(std::string_view key, std::size_t text_offset) {
-        const Key added{std::hash<std::string_view>{}(key), arena_.size(), key.size(), text_offset};
+        const Key added{arena_.size(), key.size(), text_offset};
         arena_.append(key);
         const std::size_t first = frames_.back().first_key;
         if (keys_.size() - first < kSmallObject) {
@@ -116,12 +114,14 @@ class KeyStack {
         return std::string_view(arena_).substr(key.arena_offset, key.size_bytes);
     }
 
-    bool is_same(const Key& a, const Key& b) const { return a.hash == b.hash && bytes_of(a) == bytes_of(b); }
+    bool is_same(const Key& a, const Key& b) const {
+        return a.size_bytes == b.size_bytes &&
+               std::memcmp(arena_.data() + a.arena_offset, arena_.data() + b.arena_offset, a.size_bytes) == 0;
+    }
 
     std::size_t first_repeat(std::size_t first_key, std::string* repeated) {
         const auto begin = keys_.begin() + static_cast<std::ptrdiff_t>(first_key);
         std::sort(begin, keys_.end(), [this](const Key& a, const Key& b) {
-            if (a.hash != b.hash) return a.hash < b.hash;
             const int order = bytes_of(a).compare(bytes_of(b));
             return order != 0 ? order < 0 : a.text_offset < b.text_offset;
         });
@@ -154,45 +154,52 @@ bool has_lone_surrogate(const char* text, std::size_t size) {
 // Receives RapidJSON's events; each returns false to stop at a fault.
 class Checker {
  public:
-    Checker(const TextStream& stream, bool has_escaped_units)
-        : stream_(stream), has_escaped_units_(has_escaped_units) {}
+    Checker(const TextStream& stream, bool has_escaped_units, JsonVisitor* visitor)
+        : stream_(stream), has_escaped_units_(has_escaped_units), visitor_(visitor) {}
 
     JsonCheck result;
 
     bool Null() { return true; }
-    bool Bool(bool) { return true; }
-    bool Int(int) { return true; }
-    bool Uint(unsigned) { return true; }
-    bool Int64(std::int64_t) { return true; }
-    bool Uint64(std::uint64_t) { return true; }
+    bool Bool(bool value) {
+        if (visitor_ != nullptr) visitor_->truth(value);
+        return true;
+    }
+    bool Int(int value) { return number(value); }
+    bool Uint(unsigned value) { return number(value); }
+    bool Int64(std::int64_t value) { return number(static_cast<double>(value)); }
+    bool Uint64(std::uint64_t value) { return number(static_cast<double>(value)); }
     bool RawNumber(const char*, rapidjson::SizeType, bool) { return true; }
 
     bool Double(double value) {
-        return std::isfinite(value) || stop(JsonFault::number_range, stream_.Tell(), number_detail());
+        if (!std::isfinite(value)) return stop(JsonFault::number_range, stream_.Tell(), number_detail());
+        return number(value);
     }
     bool String(const char* text, rapidjson::SizeType size, bool) {
-        if (!has_escaped_units_ || !has_lone_surrogate(text, size)) return true;
-        return stop(JsonFault::syntax, stream_.Tell(),
-                    "expected a pair of \\u surrogate escapes, found one half");
+        if (has_half_pair(text, size)) return stop_at_half_pair();
+        if (visitor_ != nullptr) visitor_->text({text, size});
+        return true;
     }
     bool Key(const char* text, rapidjson::SizeType size, bool) {
-        if (!String(text, size, true)) return false;
+        if (has_half_pair(text, size)) return stop_at_half_pair();
         const std::string_view key(text, size);
-        return keys_.add(key, stream_.Tell()) || stop_at_repeat(key, stream_.Tell());
+        const std::size_t offset = stream_.Tell();
+        if (!keys_.add(key, offset)) return stop_at_repeat(key, offset);
+        if (visitor_ != nullptr) visitor_->key(key, offset);
+        return true;
     }
     bool StartObject() {
         keys_.open();
-        return enter();
+        return enter(false);
     }
     bool EndObject(rapidjson::SizeType) {
-        --depth_;
+        leave();
         std::string repeated;
         const std::size_t offset = keys_.close(&repeated);
         return offset == std::string::npos || stop_at_repeat(repeated, offset);
     }
-    bool StartArray() { return enter(); }
+    bool StartArray() { return enter(true); }
     bool EndArray(rapidjson::SizeType) {
-        --depth_;
+        leave();
         return true;
     }
 
@@ -208,14 +215,33 @@ class Checker {
                     fmt::format("expected each key once in an object, found '{}' twice",
                                 printable(shortened(key, kDetailBytes))));
     }
-    bool enter() {
-        if (++depth_ <= kMaxJsonDepth) return true;
+    bool number(double value) {
+        if (visitor_ != nullptr) visitor_->number(value);
+        return true;
+    }
+    bool has_half_pair(const char* text, rapidjson::SizeType size) const {
+        return has_escaped_units_ && has_lone_surrogate(text, size);
+    }
+    bool stop_at_half_pair() {
+        return stop(JsonFault::syntax, stream_.Tell(),
+                    "expected a pair of \\u surrogate escapes, found one half");
+    }
+    void leave() {
+        --depth_;
+        if (visitor_ != nullptr) visitor_->close();
+    }
+    bool enter(bool is_array) {
+        if (++depth_ <= kMaxJsonDepth) {
+            if (visitor_ != nullptr) visitor_->open(is_array);
+            return true;
+        }
         return stop(JsonFault::too_deep, stream_.Tell(),
                     fmt::format("expected at most {} levels of nesting, found more", kMaxJsonDepth));
     }
 
     const TextStream& stream_;
     bool has_escaped_units_;  // the text holds "\u" somewhere; most do not, and skip a search per string
+    JsonVisitor* visitor_;    // may be null
     KeyStack keys_;
     std::size_t depth_ = 0;
 };
@@ -293,16 +319,17 @@ std::size_t first_malformed_utf8(std::string_view text) {
 
 }  // namespace
 
-JsonCheck check_json(std::string_view text) {
+JsonCheck check_json(std::string_view text, JsonVisitor* visitor) {
     const std::size_t malformed = first_malformed_utf8(text);
     if (malformed != std::string_view::npos) {
         return {JsonFault::utf8, malformed,
                 fmt::format("expected well-formed UTF-8, found {}", found_at(text, malformed))};
     }
     TextStream stream(text);
-    Checker checker(stream, text.find("\\u") != std::string_view::npos);
+    Checker checker(stream, text.find("\\u") != std::string_view::npos, visitor);
     rapidjson::Reader reader;
-    const rapidjson::ParseResult parsed = reader.Parse<rapidjson::kParseIterativeFlag>(stream, checker);
+    // The recursive parser, which is the faster one: the checker stops it at kMaxJsonDepth levels.
+    const rapidjson::ParseResult parsed = reader.Parse<rapidjson::kParseDefaultFlags>(stream, checker);
     if (checker.result.fault != JsonFault::none) return checker.result;
     if (parsed.Code() == rapidjson::kParseErrorNumberTooBig) {
         return {JsonFault::number_range, parsed.Offset(), checker.number_detail()};
