@@ -56,6 +56,9 @@ class AccessorReader {
     // Elements that an accessor declares; 0 when it does not exist.
     std::uint64_t declared_count(int index) const;
 
+    // Bytes of the BIN chunk.
+    std::size_t stored_bytes() const { return gltf_.bin.size(); }
+
     // Decodes the primitive of KHR_draco_mesh_compression in a buffer view. Errors: as above.
     base::Result<DracoMesh> read_draco(int view_index, const DracoLimits& limits);
 

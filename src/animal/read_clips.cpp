@@ -311,6 +311,8 @@ base::Status refuse_without_clips(const tinygltf::Model& model) {
 
 base::Status read_clips(ReadContext& context) {
     const auto& animations = context.model().animations;
+    // One allocation: few files hold more floats of keys than they have bytes for, and those that do may grow.
+    context.animal.key_values.reserve(context.accessors.stored_bytes() / sizeof(float));
     ClipReader reader(context);
     std::uint32_t left_out = 0;
     for (std::size_t a = 0; a < animations.size(); ++a) {
