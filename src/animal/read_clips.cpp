@@ -109,7 +109,7 @@ class ChannelReader {
         }
         auto& pool = context_.animal.key_times;
         const std::size_t first = pool.size();
-        const auto added = context_.accessors.append_floats(accessor, {place, TINYGLTF_TYPE_SCALAR, {kFloat}}, pool);
+        const auto added = context_.accessors.append_floats(accessor, {place, ElementType::scalar, {kFloat}}, pool);
         if (!added) return added.issue();
         if (added.value() > kMaxKeys)
             return Issue{IssueCode::lim_count, place.text(),
@@ -125,7 +125,7 @@ class ChannelReader {
         const bool rotation = channel.path == Path::rotation;
         const bool cubic = channel.interpolation == Interpolation::cubic_spline;
         const AccessorUse use{place,
-                              rotation ? TINYGLTF_TYPE_VEC4 : TINYGLTF_TYPE_VEC3,
+                              rotation ? ElementType::vec4 : ElementType::vec3,
                               {kFloat, kByte, kUnsignedByte, kShort, kUnsignedShort}};
         auto& pool = context_.animal.key_values;
         const std::size_t first = pool.size();

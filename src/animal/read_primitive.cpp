@@ -51,7 +51,7 @@ class PrimitiveReader {
  private:
     Place place(std::string_view leaf) const { return {"meshes", mesh_.mesh, "primitives", index_, leaf}; }
 
-    AccessorUse use_of(std::string_view name, int type, std::initializer_list<int> components,
+    AccessorUse use_of(std::string_view name, ElementType type, std::initializer_list<int> components,
                        bool allow_not_finite = false) const {
         AccessorUse use{place(name), type, components, allow_not_finite};
         const auto id = draco_id(name);
@@ -103,7 +103,7 @@ class PrimitiveReader {
     base::Status read_triples(std::string_view name, std::vector<std::array<float, 3>>& out) {
         const auto numbers = context_.accessors.read_floats(
             accessor_of(source_, name),
-            use_of(name, TINYGLTF_TYPE_VEC3, {kFloat, kByte, kShort, kUnsignedByte, kUnsignedShort}));
+            use_of(name, ElementType::vec3, {kFloat, kByte, kShort, kUnsignedByte, kUnsignedShort}));
         if (!numbers) return numbers.issue();
         out.resize(numbers.value().size() / 3);
         std::memcpy(out.data(), numbers.value().data(), out.size() * sizeof out[0]);
@@ -141,11 +141,11 @@ class PrimitiveReader {
     base::Status read_influence_set(std::size_t set) {
         const auto joints = context_.accessors.read_integers(
             accessor_of(source_, kJoints[set]),
-            use_of(kJoints[set], TINYGLTF_TYPE_VEC4, {kUnsignedByte, kUnsignedShort}));
+            use_of(kJoints[set], ElementType::vec4, {kUnsignedByte, kUnsignedShort}));
         if (!joints) return joints.issue();
         const auto weights = context_.accessors.read_floats(
             accessor_of(source_, kWeights[set]),
-            use_of(kWeights[set], TINYGLTF_TYPE_VEC4, {kFloat, kUnsignedByte, kUnsignedShort}, true));
+            use_of(kWeights[set], ElementType::vec4, {kFloat, kUnsignedByte, kUnsignedShort}, true));
         if (!weights) return weights.issue();
         const std::size_t vertex_count = out_.positions.size();
         if (joints.value().size() != vertex_count * 4 || weights.value().size() != vertex_count * 4)

@@ -177,16 +177,18 @@ class Checker {
         return stop(JsonFault::syntax, stream_.Tell(),
                     "expected a pair of \\u surrogate escapes, found one half");
     }
+    // A bracket is taken before its event.
+    std::size_t last_bracket() { return stream_.Tell() - 1; }
     void leave() {
         --depth_;
-        if (visitor_ != nullptr) visitor_->close();
+        if (visitor_ != nullptr) visitor_->close(last_bracket());
     }
     bool enter(bool is_array) {
         if (++depth_ <= kMaxJsonDepth) {
-            if (visitor_ != nullptr) visitor_->open(is_array);
+            if (visitor_ != nullptr) visitor_->open(is_array, last_bracket());
             return true;
         }
-        return stop(JsonFault::too_deep, stream_.Tell() - 1,  // the bracket has been taken
+        return stop(JsonFault::too_deep, last_bracket(),
                     fmt::format("expected at most {} levels of nesting, found more", kMaxJsonDepth));
     }
 
