@@ -54,6 +54,7 @@ std::string options_text(const CatalogSource& source, const AnimalOptions& optio
     if (source.rate_hz) json["rate_hz"] = *source.rate_hz;
     if (!source.only.empty()) json["only"] = source.only;
     if (options.strict) json["strict"] = true;
+    if (options.allow_data_uris) json["allow_data_uris"] = true;
     if (!options.measure) json["measure"] = false;
     if (options.compare_vat) json["compare_vat"] = true;
     return json.dump();
