@@ -119,8 +119,8 @@ base::Status AccessorReader::read_sparse(const Source& source, T* out) {
         return refuse(fmt::format("component type {} is no index", sparse.index_component));
     const std::size_t count = sparse.count;
     // Both streams are tightly packed whatever their views say (glTF 2.0 section 3.6.2.3).
-    const auto indices = open_view(sparse.index_view, sparse.index_offset_bytes,
-                                   {count, 1, index_type, 0}, true);
+    const auto indices =
+        open_view(sparse.index_view, sparse.index_offset_bytes, {count, 1, index_type, 0}, true);
     if (!indices) return indices.issue();
     const auto values = open_view(sparse.value_view, sparse.value_offset_bytes,
                                   {count, source.shape.components, source.shape.component, 0}, true);
@@ -130,7 +130,8 @@ base::Status AccessorReader::read_sparse(const Source& source, T* out) {
         std::uint32_t target = 0;
         indices.value().copy_element(i, &target);
         if (target < next || target >= source.shape.count)
-            return refuse(fmt::format("index {} is {}, expected {} to {}", i, target, next, source.shape.count - 1));
+            return refuse(
+                fmt::format("index {} is {}, expected {} to {}", i, target, next, source.shape.count - 1));
         source.copy_one(values.value(), i, out + target * source.shape.components);
         next = std::size_t{target} + 1;
     }

@@ -68,8 +68,8 @@ class AccessorReader {
  private:
     struct Source;
     base::Result<Source> open(int index, const AccessorUse& use);
-    base::Result<ElementSpan> open_view(std::uint64_t view_index, std::uint64_t offset_bytes, const ElementShape& shape,
-                                        bool is_tight);
+    base::Result<ElementSpan> open_view(std::uint64_t view_index, std::uint64_t offset_bytes,
+                                        const ElementShape& shape, bool is_tight);
     base::Status open_draco(const AccessorUse& use, Source& source);
     template <class T>
     base::Status read_sparse(const Source& source, T* out);

@@ -55,8 +55,9 @@ base::Result<ByteSpan> BufferViews::buffer(std::uint64_t index) {
         return Issue{IssueCode::glb_reference, "", fmt::format("buffer {} does not exist", index)};
     const BufferFacts& facts = gltf_.facts.buffers[index];
     if (facts.is_fallback && (facts.has_uri || index > 0))
-        return Issue{IssueCode::glb_uri, "",
-                     fmt::format("expected compressed data, found only a use of the fallback buffer {}", index)};
+        return Issue{
+            IssueCode::glb_uri, "",
+            fmt::format("expected compressed data, found only a use of the fallback buffer {}", index)};
     ByteSpan bytes = gltf_.bin;
     if (facts.has_uri) {
         const auto known = data_uris_.find(index);
@@ -68,13 +69,15 @@ base::Result<ByteSpan> BufferViews::buffer(std::uint64_t index) {
             bytes = data_uris_.emplace(index, std::move(decoded).value()).first->second;
         }
     } else if (index > 0 || bytes.empty()) {
-        return Issue{IssueCode::glb_uri, "",
-                     fmt::format("buffer {} has no uri, and {}", index,
-                                 index > 0 ? "only the first one may be the BIN chunk" : "there is no BIN chunk")};
+        return Issue{
+            IssueCode::glb_uri, "",
+            fmt::format("buffer {} has no uri, and {}", index,
+                        index > 0 ? "only the first one may be the BIN chunk" : "there is no BIN chunk")};
     }
     if (facts.byte_length > static_cast<double>(bytes.size()))
-        return Issue{IssueCode::glb_view_range, "",
-                     fmt::format("buffer {} declares {} bytes, found {}", index, facts.byte_length, bytes.size())};
+        return Issue{
+            IssueCode::glb_view_range, "",
+            fmt::format("buffer {} declares {} bytes, found {}", index, facts.byte_length, bytes.size())};
     return bytes.first(static_cast<std::size_t>(facts.byte_length));
 }
 
@@ -85,7 +88,8 @@ base::Result<ByteSpan> BufferViews::slice(std::uint64_t buffer_index, std::uint6
     const std::size_t size = whole.value().size();
     if (offset_bytes > size || length_bytes > size - offset_bytes)
         return Issue{IssueCode::glb_view_range, "",
-                     fmt::format("{} bytes from {} on leave the buffer of {} bytes", length_bytes, offset_bytes, size)};
+                     fmt::format("{} bytes from {} on leave the buffer of {} bytes", length_bytes,
+                                 offset_bytes, size)};
     return whole.value().subspan(offset_bytes, length_bytes);
 }
 

@@ -47,14 +47,22 @@ constexpr std::array<std::string_view, 27> kKnownExtensions{"KHR_draco_mesh_comp
 
 constexpr std::size_t kShownUriBytes = 64;
 
-enum class Section : std::uint8_t {
-    other, buffers, views, accessors, images, meshes, animations, required
-};
+enum class Section : std::uint8_t { other, buffers, views, accessors, images, meshes, animations, required };
 
 // Keys below the root that matter somewhere.
 enum class KeyName : std::uint8_t {
-    other, uri, byte_length, extensions, meshopt, fallback, primitives, indices,
-    channels, sampler, animation_pointer, pointer
+    other,
+    uri,
+    byte_length,
+    extensions,
+    meshopt,
+    fallback,
+    primitives,
+    indices,
+    channels,
+    sampler,
+    animation_pointer,
+    pointer
 };
 
 struct NamedKey {
@@ -115,7 +123,8 @@ class FactVisitor final : public base::JsonVisitor {
             const bool keep = keep_data_uris_ && value.starts_with("data:");
             facts.buffers.back().has_uri = true;
             facts.buffers.back().uri = keep ? value : value.substr(0, kShownUriBytes);
-        } else if (section_ == Section::animations && is_at(8, KeyName::pointer, 7, KeyName::animation_pointer)) {
+        } else if (section_ == Section::animations &&
+                   is_at(8, KeyName::pointer, 7, KeyName::animation_pointer)) {
             channel_.pointer = value;
         } else if (section_ == Section::required && depth_ == 2 && facts.unknown_extension.empty() &&
                    std::find(kKnownExtensions.begin(), kKnownExtensions.end(), value) ==
@@ -192,8 +201,7 @@ class FactVisitor final : public base::JsonVisitor {
             keys_[depth_ + 1] = KeyName::other;
         }
         if (depth_ == 2 && section_ == Section::buffers && !is_array) facts.buffers.emplace_back();
-        if (depth_ == 4 && section_ == Section::animations)
-            channel_ = {counts_[2], counts_[4], -1, {}};
+        if (depth_ == 4 && section_ == Section::animations) channel_ = {counts_[2], counts_[4], -1, {}};
     }
 
     bool is_at(std::size_t depth, KeyName key) const { return depth_ == depth && keys_[depth] == key; }

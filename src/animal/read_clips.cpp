@@ -109,7 +109,8 @@ class ChannelReader {
         }
         auto& pool = context_.animal.key_times;
         const std::size_t first = pool.size();
-        const auto added = context_.accessors.append_floats(accessor, {place, ElementType::scalar, {kFloat}}, pool);
+        const auto added =
+            context_.accessors.append_floats(accessor, {place, ElementType::scalar, {kFloat}}, pool);
         if (!added) return added.issue();
         if (added.value() > kMaxKeys)
             return Issue{IssueCode::lim_count, place.text(),
@@ -153,7 +154,8 @@ class Targets {
 
     // The last of several channels on one target wins (glTF 2.0 section 3.11 forbids them).
     void add(Clip& clip, const Channel& channel, ClipRepairs& repairs) {
-        std::uint32_t& slot = channels_[channel.node * std::size_t{3} + static_cast<std::size_t>(channel.path)];
+        std::uint32_t& slot =
+            channels_[channel.node * std::size_t{3} + static_cast<std::size_t>(channel.path)];
         if (slot == kNone) {
             slot = static_cast<std::uint32_t>(clip.channels.size());
             clip.channels.push_back(channel);
@@ -311,7 +313,8 @@ base::Status refuse_without_clips(const tinygltf::Model& model) {
 
 base::Status read_clips(ReadContext& context) {
     const auto& animations = context.model().animations;
-    // One allocation: few files hold more floats of keys than they have bytes for, and those that do may grow.
+    // One allocation: few files hold more floats of keys than they have bytes for, and those that do may
+    // grow.
     context.animal.key_values.reserve(context.accessors.stored_bytes() / sizeof(float));
     ClipReader reader(context);
     std::uint32_t left_out = 0;

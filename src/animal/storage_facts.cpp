@@ -22,7 +22,7 @@ constexpr std::array<NamedType, 7> kTypes{{{"SCALAR", ElementType::scalar, 1},
                                            {"MAT3", ElementType::mat3, 9},
                                            {"MAT4", ElementType::mat4, 16}}};
 
-constexpr std::uint64_t kMaxStrideBytes = 252;  // glTF 2.0 section 5.11.4
+constexpr std::uint64_t kMaxStrideBytes = 252;          // glTF 2.0 section 5.11.4
 constexpr double kWholeLimit = 18446744073709551616.0;  // 2^64, below which no double is kMissing
 
 }  // namespace
@@ -40,9 +40,10 @@ void StorageVisitor::blame(std::string detail) {
     if (!status_) return;
     const bool is_accessor = list_ == List::accessors;
     const std::size_t count = is_accessor ? accessors.size() : views.size();
-    status_ = base::Issue{base::IssueCode::glb_schema,
-                          fmt::format("{}/{}", is_accessor ? "accessors" : "bufferViews", count == 0 ? 0 : count - 1),
-                          std::move(detail)};
+    status_ = base::Issue{
+        base::IssueCode::glb_schema,
+        fmt::format("{}/{}", is_accessor ? "accessors" : "bufferViews", count == 0 ? 0 : count - 1),
+        std::move(detail)};
 }
 
 base::Status StorageVisitor::status() const {
@@ -65,7 +66,8 @@ void StorageVisitor::key(std::size_t depth, std::string_view name) {
     SparseFacts& sparse = *accessors.back().sparse;
     const bool is_index = inside_[5] == Inside::sparse_indices;
     if (name == "bufferView") slot_.whole = is_index ? &sparse.index_view : &sparse.value_view;
-    if (name == "byteOffset") slot_.whole = is_index ? &sparse.index_offset_bytes : &sparse.value_offset_bytes;
+    if (name == "byteOffset")
+        slot_.whole = is_index ? &sparse.index_offset_bytes : &sparse.value_offset_bytes;
     if (name == "componentType" && is_index) slot_.whole = &sparse.index_component;
 }
 

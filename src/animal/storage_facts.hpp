@@ -25,9 +25,9 @@ struct CompressionFacts {
 };
 
 struct ViewFacts {
-    std::uint64_t buffer = kMissing;        // an index, perhaps of nothing
+    std::uint64_t buffer = kMissing;  // an index, perhaps of nothing
     std::uint64_t offset_bytes = 0, length_bytes = kMissing;
-    std::uint64_t stride_bytes = 0;         // 0: tightly packed; else a multiple of 4 up to 252
+    std::uint64_t stride_bytes = 0;  // 0: tightly packed; else a multiple of 4 up to 252
     std::optional<CompressionFacts> compression;
 };
 
@@ -53,8 +53,8 @@ struct AccessorFacts {
     std::optional<SparseFacts> sparse;
 };
 
-// Hears what stands inside the root object's "accessors" and "bufferViews". Depth counts open objects and arrays:
-// items of the lists have their keys at depth 3.
+// Hears what stands inside the root object's "accessors" and "bufferViews". Depth counts open objects and
+// arrays: items of the lists have their keys at depth 3.
 class StorageVisitor {
  public:
     std::vector<AccessorFacts> accessors;

@@ -30,8 +30,8 @@ namespace rapidjson = posepack_base_rapidjson;
 constexpr std::size_t kDetailBytes = 64;
 constexpr std::size_t kVectorBytes = 16;  // what RapidJSON may look at behind the end, never to use it
 
-// RapidJSON works on a copy of it inside a token, so that Tell() of the original is the token's first byte when
-// a handler runs. It reads as '\0' behind its end.
+// RapidJSON works on a copy of it inside a token, so that Tell() of the original is the token's first byte
+// when a handler runs. It reads as '\0' behind its end.
 using TextStream = rapidjson::InsituStringStream;
 
 // A key of an open object; its bytes live as long as the parse.

@@ -33,8 +33,8 @@ class JsonVisitor {
 
 // Checks that `text` is one JSON value in well-formed UTF-8, that no object holds a key twice, that every
 // number fits a finite double, and that nothing is nested more than kMaxJsonDepth deep.
-// Cost: O(size), no more than 64 levels of recursion; memory: a copy of the text. A visitor spares another pass to
-// those who look for something.
+// Cost: O(size), no more than 64 levels of recursion; memory: a copy of the text. A visitor spares another
+// pass to those who look for something.
 JsonCheck check_json(std::string_view text, JsonVisitor* visitor = nullptr);
 
 }  // namespace posepack::base

@@ -55,7 +55,8 @@ void add_attribute(draco::Mesh& mesh, GlbBuilder& glb, const std::string& name, 
 
 Bytes encode(const draco::Mesh& mesh, bool edgebreaker) {
     draco::Encoder encoder;
-    encoder.SetEncodingMethod(edgebreaker ? draco::MESH_EDGEBREAKER_ENCODING : draco::MESH_SEQUENTIAL_ENCODING);
+    encoder.SetEncodingMethod(edgebreaker ? draco::MESH_EDGEBREAKER_ENCODING
+                                          : draco::MESH_SEQUENTIAL_ENCODING);
     draco::EncoderBuffer buffer;
     if (!encoder.EncodeMeshToBuffer(mesh, &buffer).ok()) throw std::runtime_error("Draco could not encode");
     return Bytes(buffer.data(), buffer.data() + buffer.size());
@@ -104,7 +105,8 @@ int add_meshopt_view(GlbBuilder& glb, std::span<const std::uint8_t> stream, std:
     const int raw = glb.add_view(stream);
     Json& buffers = glb.document["buffers"];
     if (buffers.size() < 2)
-        buffers.push_back({{"byteLength", 0}, {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}});
+        buffers.push_back(
+            {{"byteLength", 0}, {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}});
     const auto begin = buffers[1]["byteLength"].get<std::size_t>();
     buffers[1]["byteLength"] = begin + count * stride_bytes;
     Json& view = glb.document["bufferViews"][static_cast<std::size_t>(raw)];
@@ -126,7 +128,8 @@ void compress_accessor(GlbBuilder& glb, std::size_t accessor) {
     Json& item = glb.document["accessors"][accessor];
     const auto view = item["bufferView"].get<int>();
     const auto count = item["count"].get<std::size_t>();
-    const auto size = glb.document["bufferViews"][static_cast<std::size_t>(view)]["byteLength"].get<std::size_t>();
+    const auto size =
+        glb.document["bufferViews"][static_cast<std::size_t>(view)]["byteLength"].get<std::size_t>();
     const std::uint8_t* data = view_data(glb, view);
     const Bytes stream = meshopt_attributes({data, size}, size / count);
     std::fill_n(view_data(glb, view), size, std::uint8_t{0xA5});  // the plain bytes are no longer there
@@ -146,8 +149,8 @@ void compress_primitive(GlbBuilder& glb, std::size_t mesh_index, const DracoOpti
     std::uint32_t next_id = 10;
     for (const auto& [name, accessor] : primitive.at("attributes").items()) {
         const auto stored = options.stored_instead.find(name);
-        const auto index = static_cast<std::size_t>(stored != options.stored_instead.end() ? stored->second
-                                                                                           : accessor.get<int>());
+        const auto index = static_cast<std::size_t>(
+            stored != options.stored_instead.end() ? stored->second : accessor.get<int>());
         add_attribute(mesh, glb, name, glb.document["accessors"][index], next_id);
         ids[name] = next_id++;
     }

@@ -10,8 +10,8 @@
 
 namespace posepack::support {
 
-// A stream of EXT_meshopt_compression in the BIN chunk, and a view on it whose plain bytes would lie in a fallback
-// buffer that has none. Returns the index of the view.
+// A stream of EXT_meshopt_compression in the BIN chunk, and a view on it whose plain bytes would lie in a
+// fallback buffer that has none. Returns the index of the view.
 int add_meshopt_view(GlbBuilder& glb, std::span<const std::uint8_t> stream, std::size_t count,
                      std::size_t stride_bytes, const std::string& mode, const std::string& filter = "NONE");
 
@@ -26,7 +26,8 @@ Bytes filter_quaternions(const std::vector<float>& values, int bits);
 Bytes filter_normals(const std::vector<float>& values, int bits);
 Bytes filter_exponential(const std::vector<float>& values, int bits);
 
-// Moves the data of an accessor, which must have a tightly packed view of its own, into a stream of ATTRIBUTES.
+// Moves the data of an accessor, which must have a tightly packed view of its own, into a stream of
+// ATTRIBUTES.
 void compress_accessor(GlbBuilder& glb, std::size_t accessor);
 
 struct DracoOptions {
@@ -35,9 +36,9 @@ struct DracoOptions {
     std::map<std::string, int> stored_instead = {};
 };
 
-// Moves the attributes of the first primitive of a mesh into a Draco stream, without loss; vertices are taken in
-// threes as faces. Their accessors stay, without a view; indices get one as well. Ids of the stream's attributes
-// begin at 10.
+// Moves the attributes of the first primitive of a mesh into a Draco stream, without loss; vertices are taken
+// in threes as faces. Their accessors stay, without a view; indices get one as well. Ids of the stream's
+// attributes begin at 10.
 void compress_primitive(GlbBuilder& glb, std::size_t mesh, const DracoOptions& options);
 
 // The first byte of a view's data in `glb.bin`.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// KHR_draco_mesh_compression: both methods give the vertices that were stored; streams that ask for more than their
-// accessors declare, or do not decode, are refused by name.
+// KHR_draco_mesh_compression: both methods give the vertices that were stored; streams that ask for more than
+// their accessors declare, or do not decode, are refused by name.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -114,7 +114,9 @@ TEST(Draco, LiesAreRefused) {
         {"an id that the stream does not have", IssueCode::glb_draco,
          [](GlbBuilder& g) { extension_of(g)["attributes"]["POSITION"] = 3; }},
         {"another number of components", IssueCode::glb_draco,
-         [](GlbBuilder& g) { extension_of(g)["attributes"]["POSITION"] = extension_of(g)["attributes"]["JOINTS_0"]; }},
+         [](GlbBuilder& g) {
+             extension_of(g)["attributes"]["POSITION"] = extension_of(g)["attributes"]["JOINTS_0"];
+         }},
         {"lines", IssueCode::glb_draco,
          [](GlbBuilder& g) { g.document["meshes"][0]["primitives"][0]["mode"] = 1; }},
         {"a stream cut in half", IssueCode::glb_draco,

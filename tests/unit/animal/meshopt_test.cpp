@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// EXT_meshopt_compression: every mode and filter gives the numbers that were stored, and a stream that lies is
-// refused by name.
+// EXT_meshopt_compression: every mode and filter gives the numbers that were stored, and a stream that lies
+// is refused by name.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,8 @@ using support::GlbBuilder;
 using support::Json;
 
 Json& extension_of(GlbBuilder& glb, int view) {
-    return glb.document["bufferViews"][static_cast<std::size_t>(view)]["extensions"]["EXT_meshopt_compression"];
+    return glb
+        .document["bufferViews"][static_cast<std::size_t>(view)]["extensions"]["EXT_meshopt_compression"];
 }
 
 // The tail with all its data in streams.
@@ -103,14 +104,16 @@ TEST(Meshopt, ExponentialFilter) {
     GlbBuilder glb = support::builder_of(support::tail());
     const std::vector<float> keys{0.5f, 0.0f, -3.25f, 1000.0f, 0.25f, 1e-3f, 0.6f, -0.125f, 7.0f};
     const Bytes stream = support::meshopt_attributes(support::filter_exponential(keys, 20), 12);
-    glb.values(2, 0)["bufferView"] = support::add_meshopt_view(glb, stream, 3, 12, "ATTRIBUTES", "EXPONENTIAL");
+    glb.values(2, 0)["bufferView"] =
+        support::add_meshopt_view(glb, stream, 3, 12, "ATTRIBUTES", "EXPONENTIAL");
     const Animal animal = support::read_good(glb.build());
     const float* found = &animal.key_values[animal.clips[2].channels[0].first_value];
     for (std::size_t k = 0; k < 3; ++k) {
         // The numbers of an element share the exponent of the largest; 20 bits with their sign.
         const float* key = &keys[3 * k];
         const float largest = std::max({std::abs(key[0]), std::abs(key[1]), std::abs(key[2])});
-        for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(found[3 * k + c], key[c], std::ldexp(largest, -18)) << k;
+        for (std::size_t c = 0; c < 3; ++c)
+            EXPECT_NEAR(found[3 * k + c], key[c], std::ldexp(largest, -18)) << k;
     }
 }
 
@@ -124,7 +127,8 @@ TEST(Meshopt, OctahedralFilter) {
     const int view =
         support::add_meshopt_view(glb, stream, plain.vertices.normals.size(), 8, "ATTRIBUTES", "OCTAHEDRAL");
     glb.document["bufferViews"][static_cast<std::size_t>(view)]["byteStride"] = 8;
-    glb.attribute(0, "NORMAL").update({{"bufferView", view}, {"componentType", support::kI16}, {"normalized", true}});
+    glb.attribute(0, "NORMAL")
+        .update({{"bufferView", view}, {"componentType", support::kI16}, {"normalized", true}});
     const Animal animal = support::read_good(glb.build());
     for (std::size_t v = 0; v < plain.vertices.normals.size(); ++v)
         for (std::size_t c = 0; c < 3; ++c)
@@ -140,9 +144,8 @@ GlbBuilder sparse_positions(const std::string& mode, const std::vector<std::uint
     const int index_view = support::add_meshopt_view(glb, stream, indices.size(), index_bytes, mode);
     std::vector<float> values;
     for (const std::uint32_t i : indices) values.insert(values.end(), {100.0f + static_cast<float>(i), 0, 0});
-    const int value_view =
-        support::add_meshopt_view(glb, support::meshopt_attributes(bytes_of(values), 12), indices.size(), 12,
-                                  "ATTRIBUTES");
+    const int value_view = support::add_meshopt_view(glb, support::meshopt_attributes(bytes_of(values), 12),
+                                                     indices.size(), 12, "ATTRIBUTES");
     glb.attribute(0, "POSITION")["sparse"] = {
         {"count", indices.size()},
         {"indices",
@@ -158,7 +161,8 @@ TEST(Meshopt, ModesOfIndices) {
             const Animal animal = support::read_good(sparse_positions(mode, indices, index_bytes).build());
             for (const std::uint32_t i : indices)
                 EXPECT_EQ(animal.vertices.positions[i][0], 100.0f + static_cast<float>(i)) << mode;
-            EXPECT_EQ(animal.vertices.positions[0], support::animal_of(support::tail()).vertices.positions[0]);
+            EXPECT_EQ(animal.vertices.positions[0],
+                      support::animal_of(support::tail()).vertices.positions[0]);
         }
 }
 
@@ -200,7 +204,8 @@ TEST(Meshopt, LiesAreRefused) {
          [](auto&, auto&, Json& e) { e["filter"] = "OCTAHEDRAL"; }},
         {"a stream of version 1", IssueCode::glb_extension,
          [](GlbBuilder& g, auto&, Json& e) { *stream_data(g, e) = 0xA1; }},
-        {"no header", IssueCode::glb_meshopt, [](GlbBuilder& g, auto&, Json& e) { *stream_data(g, e) = 0x00; }},
+        {"no header", IssueCode::glb_meshopt,
+         [](GlbBuilder& g, auto&, Json& e) { *stream_data(g, e) = 0x00; }},
         {"a stream of no bytes", IssueCode::glb_meshopt, [](auto&, auto&, Json& e) { e["byteLength"] = 0; }},
         {"one byte too few", IssueCode::glb_meshopt,
          [](auto&, auto&, Json& e) { e["byteLength"] = e["byteLength"].get<int>() - 1; }},
@@ -224,7 +229,8 @@ TEST(Meshopt, LiesAreRefused) {
          }},
         {"a stream out of the buffer", IssueCode::glb_view_range,
          [](GlbBuilder& g, auto&, Json& e) { e["byteOffset"] = g.bin.size(); }},
-        {"a stream in the fallback buffer", IssueCode::glb_uri, [](auto&, auto&, Json& e) { e["buffer"] = 1; }},
+        {"a stream in the fallback buffer", IssueCode::glb_uri,
+         [](auto&, auto&, Json& e) { e["buffer"] = 1; }},
         {"a stream in no buffer", IssueCode::glb_reference, [](auto&, auto&, Json& e) { e["buffer"] = 7; }},
         {"a count of another type", IssueCode::glb_schema, [](auto&, auto&, Json& e) { e["count"] = "12"; }},
         {"no extension on a view of the fallback buffer", IssueCode::glb_uri,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where numbers may lie: element spans that no arithmetic leads astray, budgets, data URIs; and pointers at them.
+// Where numbers may lie: element spans that no arithmetic leads astray, budgets, data URIs; and pointers at
+// them.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -74,17 +75,22 @@ TEST(DecodeBudget, TakesNoMoreThanThereIs) {
 
 TEST(DataUri, Base64OfRfc4648) {
     DecodeBudget budget(0);
-    const std::pair<const char*, const char*> rows[] = {
-        {"", ""},       {"Zg==", "f"},     {"Zm8=", "fo"},    {"Zm9v", "foo"}, {"Zm9vYg==", "foob"},
-        {"Zm9vYmE", "fooba"}, {"Zm9vYmFy", "foobar"}, {"+/+/", "\xFB\xFF\xBF"}};
+    const std::pair<const char*, const char*> rows[] = {{"", ""},
+                                                        {"Zg==", "f"},
+                                                        {"Zm8=", "fo"},
+                                                        {"Zm9v", "foo"},
+                                                        {"Zm9vYg==", "foob"},
+                                                        {"Zm9vYmE", "fooba"},
+                                                        {"Zm9vYmFy", "foobar"},
+                                                        {"+/+/", "\xFB\xFF\xBF"}};
     for (const auto& [text, bytes] : rows) {
         const auto decoded =
             decode_data_uri(std::string("data:application/octet-stream;base64,") + text, budget);
         ASSERT_TRUE(decoded) << text;
         EXPECT_EQ(std::string(decoded.value().begin(), decoded.value().end()), bytes);
     }
-    for (const char* uri : {"data:text/plain,hello", "data:;base64", "data:;base64,Zm9vY", "data:;base64,Zm9*",
-                            "data:;base64,Zm 9"}) {
+    for (const char* uri : {"data:text/plain,hello", "data:;base64", "data:;base64,Zm9vY",
+                            "data:;base64,Zm9*", "data:;base64,Zm 9"}) {
         const auto decoded = decode_data_uri(uri, budget);
         ASSERT_FALSE(decoded) << uri;
         EXPECT_EQ(decoded.issue().code, IssueCode::glb_uri);
@@ -124,12 +130,11 @@ TEST(DataUri, BuffersAreReadWhereTheyAreAllowed) {
 void use_pointers(Json& animation) {
     for (Json& channel : animation["channels"]) {
         const Json target = channel["target"];
-        channel["target"] = {
-            {"path", "pointer"},
-            {"extensions",
-             {{"KHR_animation_pointer",
-               {{"pointer", "/nodes/" + std::to_string(target["node"].get<int>()) + "/" +
-                                target["path"].get<std::string>()}}}}}};
+        channel["target"] = {{"path", "pointer"},
+                             {"extensions",
+                              {{"KHR_animation_pointer",
+                                {{"pointer", "/nodes/" + std::to_string(target["node"].get<int>()) + "/" +
+                                                 target["path"].get<std::string>()}}}}}};
     }
 }
 
@@ -152,8 +157,8 @@ TEST(AnimationPointer, OnNodesIsAChannel) {
 }
 
 TEST(AnimationPointer, AtAnythingElseIsNamed) {
-    for (const char* pointer : {"/materials/0/pbrMetallicRoughness/baseColorFactor", "/nodes/1/weights", "/nodes/1",
-                                "/nodes/x/rotation", "/nodes/-1/rotation", "/nodes/1/rotation/0",
+    for (const char* pointer : {"/materials/0/pbrMetallicRoughness/baseColorFactor", "/nodes/1/weights",
+                                "/nodes/1", "/nodes/x/rotation", "/nodes/-1/rotation", "/nodes/1/rotation/0",
                                 "/nodes/99999999999/rotation", "nodes/1/rotation"}) {
         GlbBuilder glb = support::builder_of(support::tail());
         Json& channels = glb.document["animations"][0]["channels"];
@@ -186,29 +191,33 @@ TEST(GltfFacts, GathersWhatTheParserMustNotSee) {
     ASSERT_EQ(facts.value().views.size(), 1u);
     EXPECT_TRUE(facts.value().buffers.at(1).is_fallback);
     const Json seen = Json::parse(text_for_parser(text, facts.value()));
-    for (const char* list : {"images", "accessors", "bufferViews", "buffers"}) EXPECT_TRUE(seen.at(list).empty());
+    for (const char* list : {"images", "accessors", "bufferViews", "buffers"})
+        EXPECT_TRUE(seen.at(list).empty());
     EXPECT_FALSE(seen["meshes"][0]["primitives"][1].contains("indices"));
     EXPECT_TRUE(seen["meshes"][0]["primitives"][0].contains("attributes"));
 }
 
 TEST(GltfFacts, OddShapesAreRefusedOrHarmless) {
-    for (const char* text :
-         {R"({"accessors":[[{"count":1}]]})", R"({"accessors":[1]})", R"({"accessors":[{"count":null,"type":"VEC3"}]})",
-          R"({"accessors":[{"count":-1,"type":"VEC3","componentType":5126}]})",
-          R"({"accessors":[{"count":1.5,"type":"VEC3","componentType":5126}]})",
-          R"({"accessors":[{"count":1,"type":"VEC9","componentType":5126}]})",
-          R"({"accessors":[{"count":1,"type":"VEC3","componentType":5126,"sparse":{}}]})",
-          R"({"bufferViews":[{"buffer":0}]})", R"({"bufferViews":[{"buffer":0,"byteLength":4,"byteStride":3}]})",
-          R"({"bufferViews":[{"buffer":{},"byteLength":4}]})", R"({"buffers":[{}]})"}) {
+    for (const char* text : {R"({"accessors":[[{"count":1}]]})", R"({"accessors":[1]})",
+                             R"({"accessors":[{"count":null,"type":"VEC3"}]})",
+                             R"({"accessors":[{"count":-1,"type":"VEC3","componentType":5126}]})",
+                             R"({"accessors":[{"count":1.5,"type":"VEC3","componentType":5126}]})",
+                             R"({"accessors":[{"count":1,"type":"VEC9","componentType":5126}]})",
+                             R"({"accessors":[{"count":1,"type":"VEC3","componentType":5126,"sparse":{}}]})",
+                             R"({"bufferViews":[{"buffer":0}]})",
+                             R"({"bufferViews":[{"buffer":0,"byteLength":4,"byteStride":3}]})",
+                             R"({"bufferViews":[{"buffer":{},"byteLength":4}]})", R"({"buffers":[{}]})"}) {
         const auto facts = read_gltf_facts(text, false);
         ASSERT_FALSE(facts) << text;
         EXPECT_EQ(facts.issue().code, IssueCode::glb_schema) << text;
     }
-    for (const char* text :
-         {R"({"accessors":{}})", R"({"buffers":[[[[[{"fallback":true}]]]]]})", R"({"animations":[[[[[[[[1]]]]]]]]})",
-          R"({"meshes":{"primitives":[{"indices":[]}]}})", R"({"bufferViews":"none"})",
-          R"({"bufferViews":[{"buffer":0,"byteLength":4,"extensions":{"EXT_meshopt_compression":[{"count":"x"}]}}]})",
-          R"({"accessors":[{"count":1,"type":"VEC3","componentType":5126,"sparse":[{"count":"x"}]}]})"})
+    for (
+        const char* text :
+        {R"({"accessors":{}})", R"({"buffers":[[[[[{"fallback":true}]]]]]})",
+         R"({"animations":[[[[[[[[1]]]]]]]]})", R"({"meshes":{"primitives":[{"indices":[]}]}})",
+         R"({"bufferViews":"none"})",
+         R"({"bufferViews":[{"buffer":0,"byteLength":4,"extensions":{"EXT_meshopt_compression":[{"count":"x"}]}}]})",
+         R"({"accessors":[{"count":1,"type":"VEC3","componentType":5126,"sparse":[{"count":"x"}]}]})"})
         EXPECT_TRUE(read_gltf_facts(text, false)) << text;
 }
 
