@@ -13,21 +13,6 @@ namespace {
 using base::Issue;
 using base::IssueCode;
 
-std::size_t type_components(int type) {
-    switch (type) {
-        case TINYGLTF_TYPE_SCALAR:
-            return 1;
-        case TINYGLTF_TYPE_VEC2:
-            return 2;
-        case TINYGLTF_TYPE_VEC3:
-            return 3;
-        case TINYGLTF_TYPE_VEC4:
-            return 4;
-        default:
-            return 16;
-    }
-}
-
 Issue in_accessor(const AccessorUse& use, int index, Issue issue) {
     return base::at(fmt::format("{} (accessors/{})", use.place.text(), index), std::move(issue));
 }
@@ -53,15 +38,15 @@ std::string Place::text() const {
 
 // An accessor that was found to fit its use.
 struct AccessorReader::Source {
-    const tinygltf::Accessor* accessor = nullptr;
+    const AccessorFacts* accessor = nullptr;
     ElementShape shape;
     std::optional<ElementSpan> elements;    // none: zeros
     std::vector<std::uint8_t> draco_bytes;  // what `elements` points into, for Draco
 
-    void copy(float* out) const { elements->copy_floats(accessor->normalized, out); }
+    void copy(float* out) const { elements->copy_floats(accessor->normalised, out); }
     void copy(std::uint32_t* out) const { elements->copy_integers(out); }
     void copy_one(const ElementSpan& span, std::size_t i, float* out) const {
-        span.copy_element(i, accessor->normalized, out);
+        span.copy_element(i, accessor->normalised, out);
     }
     void copy_one(const ElementSpan& span, std::size_t i, std::uint32_t* out) const {
         span.copy_element(i, out);
@@ -71,13 +56,13 @@ struct AccessorReader::Source {
 AccessorReader::AccessorReader(const LoadedGltf& gltf)
     : gltf_(gltf), budget_(gltf.file_bytes), views_(gltf, budget_) {}
 
-base::Result<ElementSpan> AccessorReader::open_view(int view_index, std::size_t byte_offset,
+base::Result<ElementSpan> AccessorReader::open_view(std::uint64_t view_index, std::uint64_t offset_bytes,
                                                     const ElementShape& shape, bool is_tight) {
     const auto bytes = views_.bytes(view_index);
     if (!bytes) return bytes.issue();
     ElementShape strided = shape;
-    strided.stride_bytes = is_tight ? 0 : model().bufferViews[static_cast<std::size_t>(view_index)].byteStride;
-    return ElementSpan::over(bytes.value(), byte_offset, strided);
+    strided.stride_bytes = is_tight ? 0 : facts().views[view_index].stride_bytes;
+    return ElementSpan::over(bytes.value(), offset_bytes, strided);
 }
 
 base::Status AccessorReader::open_draco(const AccessorUse& use, Source& source) {
@@ -93,21 +78,22 @@ base::Status AccessorReader::open_draco(const AccessorUse& use, Source& source) 
 }
 
 base::Result<AccessorReader::Source> AccessorReader::open(int index, const AccessorUse& use) {
-    if (index < 0 || static_cast<std::size_t>(index) >= model().accessors.size())
-        return Issue{IssueCode::glb_reference, use.place.text(), fmt::format("accessor {} does not exist", index)};
-    const tinygltf::Accessor& accessor = model().accessors[static_cast<std::size_t>(index)];
-    if (accessor.type != use.type || std::find(use.components.begin(), use.components.end(),
-                                               accessor.componentType) == use.components.end())
+    if (index < 0 || static_cast<std::size_t>(index) >= facts().accessors.size())
+        return Issue{IssueCode::glb_reference, "", "it does not exist"};
+    const AccessorFacts& accessor = facts().accessors[static_cast<std::size_t>(index)];
+    const auto component = static_cast<int>(std::min<std::uint64_t>(accessor.component, 0xFFFF));
+    if (accessor.type != use.type ||
+        std::find(use.components.begin(), use.components.end(), component) == use.components.end())
         return Issue{IssueCode::glb_accessor_type, "",
-                     fmt::format("type {} with component type {} does not fit here", accessor.type,
-                                 accessor.componentType)};
+                     fmt::format("type {} with component type {} does not fit here", accessor.type_name,
+                                 accessor.component)};
     if (accessor.count == 0)
         return Issue{IssueCode::glb_accessor_count, "", "expected at least one element, found 0"};
     Source source;
     source.accessor = &accessor;
-    source.shape = {accessor.count, type_components(use.type), accessor.componentType, 0};
-    if (use.draco == nullptr && accessor.bufferView >= 0) {
-        auto elements = open_view(accessor.bufferView, accessor.byteOffset, source.shape, false);
+    source.shape = {accessor.count, components_of(use.type), component, 0};
+    if (use.draco == nullptr && accessor.view != kMissing) {
+        auto elements = open_view(accessor.view, accessor.offset_bytes, source.shape, false);
         if (!elements) return elements.issue();
         source.elements = elements.value();
     }
@@ -121,23 +107,22 @@ base::Result<AccessorReader::Source> AccessorReader::open(int index, const Acces
 
 template <class T>
 base::Status AccessorReader::read_sparse(const Source& source, T* out) {
-    const auto& sparse = source.accessor->sparse;
-    if (!sparse.isSparse) return {};
+    if (!source.accessor->sparse) return {};
+    const SparseFacts& sparse = *source.accessor->sparse;
     const auto refuse = [](std::string detail) {
         return Issue{IssueCode::glb_sparse, "", std::move(detail)};
     };
-    if (sparse.count < 1 || static_cast<std::size_t>(sparse.count) > source.shape.count)
+    if (sparse.count < 1 || sparse.count > source.shape.count)
         return refuse(fmt::format("expected 1 to {} values, found {}", source.shape.count, sparse.count));
-    const int index_type = sparse.indices.componentType;
+    const auto index_type = static_cast<int>(std::min<std::uint64_t>(sparse.index_component, 0xFFFF));
     if (index_type != kUnsignedByte && index_type != kUnsignedShort && index_type != kUnsignedInt)
-        return refuse(fmt::format("component type {} is no index", index_type));
-    if (sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0) return refuse("an offset is negative");
-    const auto count = static_cast<std::size_t>(sparse.count);
+        return refuse(fmt::format("component type {} is no index", sparse.index_component));
+    const std::size_t count = sparse.count;
     // Both streams are tightly packed whatever their views say (glTF 2.0 section 3.6.2.3).
-    const auto indices = open_view(sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset),
-                                   {count, 1, index_type, 0}, true);
+    const auto indices =
+        open_view(sparse.index_view, sparse.index_offset_bytes, {count, 1, index_type, 0}, true);
     if (!indices) return indices.issue();
-    const auto values = open_view(sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset),
+    const auto values = open_view(sparse.value_view, sparse.value_offset_bytes,
                                   {count, source.shape.components, source.shape.component, 0}, true);
     if (!values) return values.issue();
     std::size_t next = 0;
@@ -145,7 +130,8 @@ base::Status AccessorReader::read_sparse(const Source& source, T* out) {
         std::uint32_t target = 0;
         indices.value().copy_element(i, &target);
         if (target < next || target >= source.shape.count)
-            return refuse(fmt::format("index {} is {}, expected {} to {}", i, target, next, source.shape.count - 1));
+            return refuse(
+                fmt::format("index {} is {}, expected {} to {}", i, target, next, source.shape.count - 1));
         source.copy_one(values.value(), i, out + target * source.shape.components);
         next = std::size_t{target} + 1;
     }
@@ -190,12 +176,12 @@ base::Result<std::vector<std::uint32_t>> AccessorReader::read_integers(int index
 }
 
 std::uint64_t AccessorReader::declared_count(int index) const {
-    if (index < 0 || static_cast<std::size_t>(index) >= model().accessors.size()) return 0;
-    return model().accessors[static_cast<std::size_t>(index)].count;
+    if (index < 0 || static_cast<std::size_t>(index) >= facts().accessors.size()) return 0;
+    return facts().accessors[static_cast<std::size_t>(index)].count;
 }
 
 base::Result<DracoMesh> AccessorReader::read_draco(int view_index, const DracoLimits& limits) {
-    const auto bytes = views_.bytes(view_index);
+    const auto bytes = views_.bytes(view_index < 0 ? kMissing : static_cast<std::uint64_t>(view_index));
     if (!bytes) return bytes.issue();
     return DracoMesh::decode(bytes.value(), limits, budget_);
 }

@@ -28,7 +28,7 @@ struct Place {
 // What a use of an accessor asks for.
 struct AccessorUse {
     Place place;
-    int type = TINYGLTF_TYPE_SCALAR;        // TINYGLTF_TYPE_*
+    ElementType type = ElementType::scalar;
     std::initializer_list<int> components;  // accepted component types
     bool allow_not_finite = false;          // weights: repaired later
     // An attribute of a Draco primitive: its values come from there instead of a buffer view.
@@ -56,6 +56,9 @@ class AccessorReader {
     // Elements that an accessor declares; 0 when it does not exist.
     std::uint64_t declared_count(int index) const;
 
+    // Bytes of the BIN chunk.
+    std::size_t stored_bytes() const { return gltf_.bin.size(); }
+
     // Decodes the primitive of KHR_draco_mesh_compression in a buffer view. Errors: as above.
     base::Result<DracoMesh> read_draco(int view_index, const DracoLimits& limits);
 
@@ -65,8 +68,8 @@ class AccessorReader {
  private:
     struct Source;
     base::Result<Source> open(int index, const AccessorUse& use);
-    base::Result<ElementSpan> open_view(int view_index, std::size_t byte_offset, const ElementShape& shape,
-                                        bool is_tight);
+    base::Result<ElementSpan> open_view(std::uint64_t view_index, std::uint64_t offset_bytes,
+                                        const ElementShape& shape, bool is_tight);
     base::Status open_draco(const AccessorUse& use, Source& source);
     template <class T>
     base::Status read_sparse(const Source& source, T* out);

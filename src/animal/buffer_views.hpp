@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// BufferViews: the bytes of each buffer view, wherever they come from: the BIN chunk, a data URI, or a stream of
-// EXT_meshopt_compression, decoded when its view is first asked for.
+// BufferViews: the bytes of each buffer view, wherever they come from: the BIN chunk, a data URI, or a stream
+// of EXT_meshopt_compression, decoded when its view is first asked for.
 #pragma once
 
 #include <cstdint>
@@ -22,21 +22,21 @@ class BufferViews {
     // The bytes of a view; they live as long as this. A compressed view is always decoded, even where plain
     // bytes lie beside its stream. Errors, with the view's own place in `where`: E-GLB-REFERENCE,
     // E-GLB-VIEW-RANGE, E-GLB-URI, E-GLB-MESHOPT, E-GLB-EXTENSION, E-GLB-SCHEMA, E-LIM-DECODED.
-    base::Result<std::span<const std::uint8_t>> bytes(int view_index);
+    base::Result<std::span<const std::uint8_t>> bytes(std::uint64_t view_index);
 
  private:
     using Bytes = std::vector<std::uint8_t>;
 
-    base::Result<std::span<const std::uint8_t>> buffer(double index);
-    base::Result<std::span<const std::uint8_t>> slice(double buffer_index, double offset, double length);
-    base::Result<std::span<const std::uint8_t>> decode(const tinygltf::BufferView& view,
-                                                       const tinygltf::Value& extension, int view_index);
-    base::Result<MeshoptStream> stream_of(const tinygltf::BufferView& view, const tinygltf::Value& extension);
+    base::Result<std::span<const std::uint8_t>> buffer(std::uint64_t index);
+    base::Result<std::span<const std::uint8_t>> slice(std::uint64_t buffer_index, std::uint64_t offset_bytes,
+                                                      std::uint64_t length_bytes);
+    base::Result<std::span<const std::uint8_t>> decode(const ViewFacts& view, std::uint64_t view_index);
+    base::Result<MeshoptStream> stream_of(const ViewFacts& view);
 
     const LoadedGltf& gltf_;
     DecodeBudget& budget_;
-    std::map<int, Bytes> decoded_views_;
-    std::map<std::size_t, Bytes> data_uris_;
+    std::map<std::uint64_t, Bytes> decoded_views_;
+    std::map<std::uint64_t, Bytes> data_uris_;
 };
 
 }  // namespace posepack::animal

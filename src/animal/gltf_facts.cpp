@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/json.hpp"
 #include "base/text.hpp"
 
 namespace posepack::animal {
@@ -46,12 +47,22 @@ constexpr std::array<std::string_view, 27> kKnownExtensions{"KHR_draco_mesh_comp
 
 constexpr std::size_t kShownUriBytes = 64;
 
-enum class Section : std::uint8_t { other, buffers, meshes, animations, required };
+enum class Section : std::uint8_t { other, buffers, views, accessors, images, meshes, animations, required };
 
 // Keys below the root that matter somewhere.
 enum class KeyName : std::uint8_t {
-    other, uri, byte_length, extensions, meshopt, fallback, primitives, indices,
-    channels, sampler, animation_pointer, pointer
+    other,
+    uri,
+    byte_length,
+    extensions,
+    meshopt,
+    fallback,
+    primitives,
+    indices,
+    channels,
+    sampler,
+    animation_pointer,
+    pointer
 };
 
 struct NamedKey {
@@ -72,6 +83,15 @@ constexpr std::array<NamedKey, 12> kKeys{{{"uri", KeyName::uri},
                                           {"KHR_animation_pointer", KeyName::animation_pointer},
                                           {"pointer", KeyName::pointer}}};
 
+constexpr std::array<std::pair<std::string_view, Section>, 7> kSections{
+    {{"buffers", Section::buffers},
+     {"bufferViews", Section::views},
+     {"accessors", Section::accessors},
+     {"images", Section::images},
+     {"meshes", Section::meshes},
+     {"animations", Section::animations},
+     {"extensionsRequired", Section::required}}};
+
 KeyName key_of(std::string_view name) {
     for (const NamedKey& known : kKeys)
         if (known.name == name) return known.key;
@@ -87,7 +107,9 @@ class FactVisitor final : public base::JsonVisitor {
 
     void key(std::string_view name, std::size_t offset) override {
         if (depth_ == 1) {
-            open_section(name, offset);
+            open_section(name);
+        } else if (is_storage()) {
+            storage_.key(depth_, name);
         } else if (section_ != Section::other && depth_ < keys_.size()) {
             keys_[depth_] = key_of(name);
             if (section_ == Section::meshes && is_at(5, KeyName::indices, 3, KeyName::primitives))
@@ -96,11 +118,13 @@ class FactVisitor final : public base::JsonVisitor {
     }
 
     void text(std::string_view value) override {
+        if (is_storage()) return storage_.text(depth_, value);
         if (section_ == Section::buffers && is_at(3, KeyName::uri)) {
             const bool keep = keep_data_uris_ && value.starts_with("data:");
             facts.buffers.back().has_uri = true;
             facts.buffers.back().uri = keep ? value : value.substr(0, kShownUriBytes);
-        } else if (section_ == Section::animations && is_at(8, KeyName::pointer, 7, KeyName::animation_pointer)) {
+        } else if (section_ == Section::animations &&
+                   is_at(8, KeyName::pointer, 7, KeyName::animation_pointer)) {
             channel_.pointer = value;
         } else if (section_ == Section::required && depth_ == 2 && facts.unknown_extension.empty() &&
                    std::find(kKnownExtensions.begin(), kKnownExtensions.end(), value) ==
@@ -110,6 +134,7 @@ class FactVisitor final : public base::JsonVisitor {
     }
 
     void number(double value) override {
+        if (is_storage()) return storage_.number(depth_, value);
         if (section_ == Section::buffers && is_at(3, KeyName::byte_length))
             facts.buffers.back().byte_length = value;
         else if (section_ == Section::animations && is_at(5, KeyName::sampler, 3, KeyName::channels))
@@ -119,19 +144,26 @@ class FactVisitor final : public base::JsonVisitor {
     }
 
     void truth(bool value) override {
+        if (is_storage()) return storage_.truth(depth_, value);
         if (section_ == Section::buffers && is_at(5, KeyName::fallback, 4, KeyName::meshopt) &&
             keys_[3] == KeyName::extensions)
             facts.buffers.back().is_fallback = value;
     }
 
-    void open(bool is_array) override {
+    void open(bool is_array, std::size_t offset) override {
         if (depth_ == 0) facts.root_is_object = !is_array;
-        if (section_ != Section::other) begin_item(is_array);
+        if (depth_ == 1 && is_hidden()) facts.hidden_lists.emplace_back(offset + 1, offset + 1);
+        if (is_storage())
+            storage_.open(depth_, is_array);
+        else if (section_ != Section::other)
+            begin_item(is_array);
         ++depth_;
     }
 
-    void close() override {
+    void close(std::size_t offset) override {
         --depth_;
+        if (depth_ == 1 && is_hidden()) facts.hidden_lists.back().second = offset;
+        if (is_storage()) return storage_.close(depth_);
         if (section_ == Section::other || depth_ >= counts_.size()) return;
         if (section_ == Section::animations && depth_ == 4 && keys_[3] == KeyName::channels &&
             !channel_.pointer.empty())
@@ -139,14 +171,27 @@ class FactVisitor final : public base::JsonVisitor {
         ++counts_[depth_];
     }
 
+    // To be called once, at the end.
+    base::Status take_storage() {
+        facts.accessors = std::move(storage_.accessors);
+        facts.views = std::move(storage_.views);
+        return storage_.status();
+    }
+
  private:
-    void open_section(std::string_view name, std::size_t offset) {
-        section_ = name == "buffers"              ? Section::buffers
-                   : name == "meshes"             ? Section::meshes
-                   : name == "animations"         ? Section::animations
-                   : name == "extensionsRequired" ? Section::required
-                                                  : Section::other;
-        if (section_ == Section::buffers || name == "images") facts.hidden_keys.push_back(offset);
+    // Keys of the root object that matter.
+    void open_section(std::string_view name) {
+        section_ = Section::other;
+        for (const auto& [known, section] : kSections)
+            if (known == name) section_ = section;
+        if (is_storage())
+            storage_.begin(section_ == Section::accessors ? StorageVisitor::List::accessors
+                                                          : StorageVisitor::List::views);
+    }
+
+    bool is_storage() const { return section_ == Section::accessors || section_ == Section::views; }
+    bool is_hidden() const {
+        return is_storage() || section_ == Section::buffers || section_ == Section::images;
     }
 
     // counts_[d]: how many objects and arrays have closed in the one that is open at depth d.
@@ -156,8 +201,7 @@ class FactVisitor final : public base::JsonVisitor {
             keys_[depth_ + 1] = KeyName::other;
         }
         if (depth_ == 2 && section_ == Section::buffers && !is_array) facts.buffers.emplace_back();
-        if (depth_ == 4 && section_ == Section::animations)
-            channel_ = {counts_[2], counts_[4], -1, {}};
+        if (depth_ == 4 && section_ == Section::animations) channel_ = {counts_[2], counts_[4], -1, {}};
     }
 
     bool is_at(std::size_t depth, KeyName key) const { return depth_ == depth && keys_[depth] == key; }
@@ -174,6 +218,7 @@ class FactVisitor final : public base::JsonVisitor {
     std::array<KeyName, 9> keys_{};
     std::array<std::size_t, 9> counts_{};
     PointerChannel channel_;
+    StorageVisitor storage_;
 };
 
 base::Status check_text(const base::JsonCheck& check) {
@@ -225,6 +270,7 @@ int GltfFacts::indices_of(std::size_t mesh, std::size_t primitive) const {
 base::Result<GltfFacts> read_gltf_facts(std::string_view json, bool allow_data_uris) {
     FactVisitor visitor(allow_data_uris);
     if (auto status = check_text(base::check_json(json, &visitor)); !status) return status.issue();
+    const base::Status storage = visitor.take_storage();
     const GltfFacts& facts = visitor.facts;
     if (!facts.root_is_object)
         return Issue{IssueCode::glb_json, "", "expected a JSON object as the root, found another value"};
@@ -232,13 +278,17 @@ base::Result<GltfFacts> read_gltf_facts(std::string_view json, bool allow_data_u
         return Issue{IssueCode::glb_extension, "extensionsRequired",
                      fmt::format("this posepack does not read {}", facts.unknown_extension)};
     if (auto status = check_buffers(facts, allow_data_uris); !status) return status.issue();
+    if (!storage) return storage.issue();
     return std::move(visitor.facts);
 }
 
-std::string with_hidden_keys(std::string_view json, const GltfFacts& facts) {
+std::string text_for_parser(std::string_view json, const GltfFacts& facts) {
     std::string text(json);
     // The byte behind the opening quote belongs to the key, even where it begins an escape.
     for (const std::size_t offset : facts.hidden_keys) text[offset + 1] = '~';
+    // Lists are cut from the last to the first, so that earlier offsets stay.
+    for (auto list = facts.hidden_lists.rbegin(); list != facts.hidden_lists.rend(); ++list)
+        text.erase(list->first, list->second - list->first);
     return text;
 }
 

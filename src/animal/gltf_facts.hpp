@@ -5,9 +5,10 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include "base/json.hpp"
+#include "animal/storage_facts.hpp"
 #include "base/result.hpp"
 
 namespace posepack::animal {
@@ -37,9 +38,12 @@ struct GltfFacts {
     std::vector<PointerChannel> pointers;
     std::vector<PrimitiveIndices> indices;  // in the order of the file
     std::string unknown_extension;          // required, but not read; empty: none
-    // Where the opening quotes of keys stand that tinygltf must not see: "buffers" and "images" (it would
-    // map each buffer without a uri to the BIN chunk, and read images out of range), and the "indices" of
-    // primitives (it refuses those without a buffer view, which Draco and sparse accessors have).
+    std::vector<AccessorFacts> accessors;
+    std::vector<ViewFacts> views;
+    // What tinygltf must not see: where the contents of the lists "accessors", "bufferViews", "buffers" and
+    // "images" begin and end, which are read here or by nobody; and where the keys "indices" of primitives
+    // begin, since it refuses accessors that it does not know.
+    std::vector<std::pair<std::size_t, std::size_t>> hidden_lists;
     std::vector<std::size_t> hidden_keys;
 
     // The accessor of a primitive's indices, or -1.
@@ -49,11 +53,11 @@ struct GltfFacts {
 // Checks the JSON chunk and gathers its facts, in one streaming pass.
 // Errors: E-GLB-JSON*, E-GLB-NUMBER, E-LIM-JSON-DEPTH; E-GLB-JSON when the root is no object; E-GLB-EXTENSION
 // for a required extension that posepack neither reads nor may ignore; E-GLB-URI for a buffer outside the
-// file, unless it is a fallback, or a data URI and `allow_data_uris` is set; E-GLB-SCHEMA for a buffer without
-// a length.
+// file, unless it is a fallback, or a data URI and `allow_data_uris` is set; E-GLB-SCHEMA for a
+// buffer, buffer view or accessor that lacks what it must have.
 base::Result<GltfFacts> read_gltf_facts(std::string_view json, bool allow_data_uris);
 
-// The text again with the first letter of each hidden key changed, so that nobody knows it.
-std::string with_hidden_keys(std::string_view json, const GltfFacts& facts);
+// The text again as tinygltf may see it: hidden lists are empty, hidden keys have another first letter.
+std::string text_for_parser(std::string_view json, const GltfFacts& facts);
 
 }  // namespace posepack::animal

@@ -37,10 +37,11 @@ base::Result<LoadedGltf> load_gltf(std::span<const std::uint8_t> bytes, const Re
     auto facts = read_gltf_facts(json, options.allow_data_uris);
     if (!facts) return facts.issue();
 
-    // tinygltf sees the JSON alone: buffers are ours (BufferViews), and images nobody needs.
-    const std::string text = with_hidden_keys(json, facts.value());
-    LoadedGltf loaded{std::make_unique<tinygltf::Model>(), std::move(facts).value(), glb.value().bin, bytes.size(),
-                      glb.value().unknown_chunk_count};
+    // tinygltf sees the rest of the JSON alone: how numbers are stored is ours (BufferViews, AccessorReader),
+    // and images nobody needs.
+    const std::string text = text_for_parser(json, facts.value());
+    LoadedGltf loaded{std::make_unique<tinygltf::Model>(), std::move(facts).value(), glb.value().bin,
+                      bytes.size(), glb.value().unknown_chunk_count};
     tinygltf::TinyGLTF parser;
     std::string error;
     std::string warning;

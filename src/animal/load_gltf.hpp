@@ -15,7 +15,7 @@
 namespace posepack::animal {
 
 struct LoadedGltf {
-    std::unique_ptr<tinygltf::Model> model;  // without buffers, images, and indices of primitives
+    std::unique_ptr<tinygltf::Model> model;  // without all that GltfFacts hides
     GltfFacts facts;
     std::span<const std::uint8_t> bin;  // the BIN chunk; points into the file's bytes
     std::uint64_t file_bytes = 0;

@@ -109,7 +109,8 @@ class ChannelReader {
         }
         auto& pool = context_.animal.key_times;
         const std::size_t first = pool.size();
-        const auto added = context_.accessors.append_floats(accessor, {place, TINYGLTF_TYPE_SCALAR, {kFloat}}, pool);
+        const auto added =
+            context_.accessors.append_floats(accessor, {place, ElementType::scalar, {kFloat}}, pool);
         if (!added) return added.issue();
         if (added.value() > kMaxKeys)
             return Issue{IssueCode::lim_count, place.text(),
@@ -125,7 +126,7 @@ class ChannelReader {
         const bool rotation = channel.path == Path::rotation;
         const bool cubic = channel.interpolation == Interpolation::cubic_spline;
         const AccessorUse use{place,
-                              rotation ? TINYGLTF_TYPE_VEC4 : TINYGLTF_TYPE_VEC3,
+                              rotation ? ElementType::vec4 : ElementType::vec3,
                               {kFloat, kByte, kUnsignedByte, kShort, kUnsignedShort}};
         auto& pool = context_.animal.key_values;
         const std::size_t first = pool.size();
@@ -153,7 +154,8 @@ class Targets {
 
     // The last of several channels on one target wins (glTF 2.0 section 3.11 forbids them).
     void add(Clip& clip, const Channel& channel, ClipRepairs& repairs) {
-        std::uint32_t& slot = channels_[channel.node * std::size_t{3} + static_cast<std::size_t>(channel.path)];
+        std::uint32_t& slot =
+            channels_[channel.node * std::size_t{3} + static_cast<std::size_t>(channel.path)];
         if (slot == kNone) {
             slot = static_cast<std::uint32_t>(clip.channels.size());
             clip.channels.push_back(channel);
@@ -311,6 +313,9 @@ base::Status refuse_without_clips(const tinygltf::Model& model) {
 
 base::Status read_clips(ReadContext& context) {
     const auto& animations = context.model().animations;
+    // One allocation: few files hold more floats of keys than they have bytes for, and those that do may
+    // grow.
+    context.animal.key_values.reserve(context.accessors.stored_bytes() / sizeof(float));
     ClipReader reader(context);
     std::uint32_t left_out = 0;
     for (std::size_t a = 0; a < animations.size(); ++a) {

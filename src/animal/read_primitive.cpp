@@ -16,7 +16,8 @@ using base::IssueCode;
 
 constexpr const char* kDracoExtension = "KHR_draco_mesh_compression";
 constexpr std::size_t kMaxInfluenceSets = 4;
-constexpr std::array<std::string_view, kMaxInfluenceSets> kJoints{"JOINTS_0", "JOINTS_1", "JOINTS_2", "JOINTS_3"};
+constexpr std::array<std::string_view, kMaxInfluenceSets> kJoints{"JOINTS_0", "JOINTS_1", "JOINTS_2",
+                                                                  "JOINTS_3"};
 constexpr std::array<std::string_view, kMaxInfluenceSets> kWeights{"WEIGHTS_0", "WEIGHTS_1", "WEIGHTS_2",
                                                                    "WEIGHTS_3"};
 
@@ -51,7 +52,7 @@ class PrimitiveReader {
  private:
     Place place(std::string_view leaf) const { return {"meshes", mesh_.mesh, "primitives", index_, leaf}; }
 
-    AccessorUse use_of(std::string_view name, int type, std::initializer_list<int> components,
+    AccessorUse use_of(std::string_view name, ElementType type, std::initializer_list<int> components,
                        bool allow_not_finite = false) const {
         AccessorUse use{place(name), type, components, allow_not_finite};
         const auto id = draco_id(name);
@@ -66,7 +67,8 @@ class PrimitiveReader {
         if (!draco_) return std::nullopt;
         const tinygltf::Value& attributes = source_.extensions.at(kDracoExtension).Get("attributes");
         const std::string key(name);
-        if (!attributes.IsObject() || !attributes.Has(key) || !attributes.Get(key).IsInt()) return std::nullopt;
+        if (!attributes.IsObject() || !attributes.Has(key) || !attributes.Get(key).IsInt())
+            return std::nullopt;
         return static_cast<std::uint32_t>(attributes.Get(key).Get<int>());
     }
 
@@ -103,7 +105,7 @@ class PrimitiveReader {
     base::Status read_triples(std::string_view name, std::vector<std::array<float, 3>>& out) {
         const auto numbers = context_.accessors.read_floats(
             accessor_of(source_, name),
-            use_of(name, TINYGLTF_TYPE_VEC3, {kFloat, kByte, kShort, kUnsignedByte, kUnsignedShort}));
+            use_of(name, ElementType::vec3, {kFloat, kByte, kShort, kUnsignedByte, kUnsignedShort}));
         if (!numbers) return numbers.issue();
         out.resize(numbers.value().size() / 3);
         std::memcpy(out.data(), numbers.value().data(), out.size() * sizeof out[0]);
@@ -112,7 +114,8 @@ class PrimitiveReader {
 
     base::Status read_geometry() {
         if (auto status = read_triples("POSITION", out_.positions); !status) return status;
-        if (accessor_of(source_, "NORMAL") < 0) return out_.normals.resize(out_.positions.size()), base::Status{};
+        if (accessor_of(source_, "NORMAL") < 0)
+            return out_.normals.resize(out_.positions.size()), base::Status{};
         if (auto status = read_triples("NORMAL", out_.normals); !status) return status;
         if (out_.normals.size() == out_.positions.size()) return {};
         return Issue{
@@ -141,11 +144,11 @@ class PrimitiveReader {
     base::Status read_influence_set(std::size_t set) {
         const auto joints = context_.accessors.read_integers(
             accessor_of(source_, kJoints[set]),
-            use_of(kJoints[set], TINYGLTF_TYPE_VEC4, {kUnsignedByte, kUnsignedShort}));
+            use_of(kJoints[set], ElementType::vec4, {kUnsignedByte, kUnsignedShort}));
         if (!joints) return joints.issue();
         const auto weights = context_.accessors.read_floats(
             accessor_of(source_, kWeights[set]),
-            use_of(kWeights[set], TINYGLTF_TYPE_VEC4, {kFloat, kUnsignedByte, kUnsignedShort}, true));
+            use_of(kWeights[set], ElementType::vec4, {kFloat, kUnsignedByte, kUnsignedShort}, true));
         if (!weights) return weights.issue();
         const std::size_t vertex_count = out_.positions.size();
         if (joints.value().size() != vertex_count * 4 || weights.value().size() != vertex_count * 4)

@@ -26,7 +26,7 @@ base::Result<std::vector<glm::dmat4>> read_inverse_binds(ReadContext& context, c
     if (skin.inverseBindMatrices < 0) return matrices;
     const auto floats = context.accessors.read_floats(
         skin.inverseBindMatrices,
-        {{"skins", index, {}, 0, "inverseBindMatrices"}, TINYGLTF_TYPE_MAT4, {kFloat}});
+        {{"skins", index, {}, 0, "inverseBindMatrices"}, ElementType::mat4, {kFloat}});
     if (!floats) return floats.issue();
     if (floats.value().size() / 16 < matrices.size())
         return Issue{IssueCode::glb_ibm_count, where,

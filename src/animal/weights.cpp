@@ -54,7 +54,8 @@ void gather(std::span<const std::uint16_t> bones, std::span<const float> weights
     }
     // Insertion sort: stable, and these are few.
     for (std::size_t i = 1; i < out.size(); ++i)
-        for (std::size_t k = i; k > 0 && out[k].weight > out[k - 1].weight; --k) std::swap(out[k], out[k - 1]);
+        for (std::size_t k = i; k > 0 && out[k].weight > out[k - 1].weight; --k)
+            std::swap(out[k], out[k - 1]);
 }
 
 }  // namespace

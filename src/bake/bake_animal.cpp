@@ -144,7 +144,7 @@ base::Result<BakedAnimal> bake_animal(const recipe::AnimalEntry& entry, std::spa
     const Stopwatch bake_watch;
     BakedAnimal baked;
     const base::Sha256 glb_digest = base::sha256(glb);
-    auto animal = animal::read_animal(glb, {options.strict});
+    auto animal = animal::read_animal(glb, {options.strict, options.allow_data_uris});
     if (!animal) return base::at(entry.model, animal.issue());
     for (const Issue& finding : animal.value().findings)
         baked.findings.push_back(base::at(entry.model, finding));

@@ -15,9 +15,10 @@
 namespace posepack::bake {
 
 struct AnimalOptions {
-    bool strict = false;       // refuse what would be repaired
-    bool measure = true;       // measure the error of the written bytes
-    bool compare_vat = false;  // add the VRAM of the other forms to the record
+    bool strict = false;           // refuse what would be repaired
+    bool measure = true;           // measure the error of the written bytes
+    bool compare_vat = false;      // add the VRAM of the other forms to the record
+    bool allow_data_uris = false;  // read buffers that stand as base64 in the JSON
 };
 
 struct BakedAnimal {

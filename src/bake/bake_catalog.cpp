@@ -57,6 +57,7 @@ std::string options_text(const CatalogSource& source, const AnimalOptions& optio
     // In one order, each once: what is asked for does not depend on how.
     if (!source.only.empty()) json["only"] = std::set<std::string>(source.only.begin(), source.only.end());
     if (options.strict) json["strict"] = true;
+    if (options.allow_data_uris) json["allow_data_uris"] = true;
     if (!options.measure) json["measure"] = false;
     if (options.compare_vat) json["compare_vat"] = true;
     return json.dump();

@@ -5,6 +5,10 @@
 #define RAPIDJSON_NAMESPACE posepack_base_rapidjson
 #define RAPIDJSON_NAMESPACE_BEGIN namespace posepack_base_rapidjson {
 #define RAPIDJSON_NAMESPACE_END }
+// Strings and blanks are passed sixteen bytes at a time.
+#ifdef __SSE2__
+#define RAPIDJSON_SSE2
+#endif
 
 #include <fmt/format.h>
 #include <rapidjson/error/error.h>
@@ -24,50 +28,15 @@ namespace {
 namespace rapidjson = posepack_base_rapidjson;
 
 constexpr std::size_t kDetailBytes = 64;
+constexpr std::size_t kVectorBytes = 16;  // what RapidJSON may look at behind the end, never to use it
 
-// The text as RapidJSON's input stream; it reads as '\0' behind its end. RapidJSON works on a copy inside
-// a token, so that Tell() of the original is the token's first byte when a handler runs.
-struct TextStream {
-    using Ch = char;
+// RapidJSON works on a copy of it inside a token, so that Tell() of the original is the token's first byte
+// when a handler runs. It reads as '\0' behind its end.
+using TextStream = rapidjson::InsituStringStream;
 
-    explicit TextStream(std::string_view text)
-        : at(text.data()), begin(text.data()), end(text.data() + text.size()) {}
-
-    Ch Peek() const { return at == end ? '\0' : *at; }
-    Ch Take() { return at == end ? '\0' : *at++; }
-    std::size_t Tell() const { return static_cast<std::size_t>(at - begin); }
-
-    // Called for streams that are written to only, which this one never is.
-    Ch* PutBegin() { return nullptr; }
-    void Put(Ch) {}
-    void Flush() {}
-    std::size_t PutEnd(Ch*) { return 0; }
-
-    const char* at;
-    const char* begin;
-    const char* end;
-};
-
-}  // namespace
-}  // namespace posepack::base
-
-namespace posepack_base_rapidjson {
-
-// Lets RapidJSON read tokens through a copy in registers.
-template <>
-struct StreamTraits<posepack::base::TextStream> {
-    enum { copyOptimization = 1 };
-};
-
-}  // namespace posepack_base_rapidjson
-
-namespace posepack::base {
-namespace {
-
-// A key of an open object: its decoded bytes lie in KeyStack's arena.
+// A key of an open object; its bytes live as long as the parse.
 struct Key {
-    std::size_t arena_offset;
-    std::size_t size_bytes;
+    std::string_view name;
     std::size_t text_offset;
 };
 
@@ -75,68 +44,50 @@ struct Key {
 // their keys once when they close, so that no choice of keys costs more than O(n log n).
 class KeyStack {
  public:
-    void open() { frames_.push_back({keys_.size(), arena_.size()}); }
+    void open() { first_keys_.push_back(keys_.size()); }
 
     // Adds a key; returns false when the object holds it already.
-    bool add(std::string_view key, std::size_t text_offset) {
-        const Key added{arena_.size(), key.size(), text_offset};
-        arena_.append(key);
-        const std::size_t first = frames_.back().first_key;
+    bool add(std::string_view name, std::size_t text_offset) {
+        const std::size_t first = first_keys_.back();
         if (keys_.size() - first < kSmallObject) {
             for (std::size_t i = first; i < keys_.size(); ++i) {
-                if (is_same(keys_[i], added)) return false;
+                if (keys_[i].name == name) return false;
             }
         }
-        keys_.push_back(added);
+        keys_.push_back({name, text_offset});
         return true;
     }
 
     // Forgets the innermost object. Returns the first repeated key's offset in the text, or npos.
-    std::size_t close(std::string* repeated) {
-        const auto [first_key, arena_bytes] = frames_.back();
+    std::size_t close(std::string_view* repeated) {
+        const std::size_t first = first_keys_.back();
         std::size_t offset = std::string::npos;
-        if (keys_.size() - first_key > kSmallObject) offset = first_repeat(first_key, repeated);
-        frames_.pop_back();
-        keys_.resize(first_key);
-        arena_.resize(arena_bytes);
+        if (keys_.size() - first > kSmallObject) offset = first_repeat(first, repeated);
+        first_keys_.pop_back();
+        keys_.resize(first);
         return offset;
     }
 
  private:
     static constexpr std::size_t kSmallObject = 16;
 
-    struct Frame {
-        std::size_t first_key;
-        std::size_t arena_bytes;
-    };
-
-    std::string_view bytes_of(const Key& key) const {
-        return std::string_view(arena_).substr(key.arena_offset, key.size_bytes);
-    }
-
-    bool is_same(const Key& a, const Key& b) const {
-        return a.size_bytes == b.size_bytes &&
-               std::memcmp(arena_.data() + a.arena_offset, arena_.data() + b.arena_offset, a.size_bytes) == 0;
-    }
-
-    std::size_t first_repeat(std::size_t first_key, std::string* repeated) {
-        const auto begin = keys_.begin() + static_cast<std::ptrdiff_t>(first_key);
-        std::sort(begin, keys_.end(), [this](const Key& a, const Key& b) {
-            const int order = bytes_of(a).compare(bytes_of(b));
+    std::size_t first_repeat(std::size_t first, std::string_view* repeated) {
+        const auto begin = keys_.begin() + static_cast<std::ptrdiff_t>(first);
+        std::sort(begin, keys_.end(), [](const Key& a, const Key& b) {
+            const int order = a.name.compare(b.name);
             return order != 0 ? order < 0 : a.text_offset < b.text_offset;
         });
         std::size_t offset = std::string::npos;
         for (auto key = begin + 1; key < keys_.end(); ++key) {
-            if (!is_same(key[-1], key[0]) || key->text_offset >= offset) continue;
+            if (key[-1].name != key[0].name || key->text_offset >= offset) continue;
             offset = key->text_offset;
-            *repeated = bytes_of(*key);
+            *repeated = key->name;
         }
         return offset;
     }
 
-    std::string arena_;
     std::vector<Key> keys_;
-    std::vector<Frame> frames_;
+    std::vector<std::size_t> first_keys_;
 };
 
 // True when decoded text holds half a surrogate pair, which only a lone \uD800..\uDFFF escape can make:
@@ -154,7 +105,7 @@ bool has_lone_surrogate(const char* text, std::size_t size) {
 // Receives RapidJSON's events; each returns false to stop at a fault.
 class Checker {
  public:
-    Checker(const TextStream& stream, bool has_escaped_units, JsonVisitor* visitor)
+    Checker(TextStream& stream, bool has_escaped_units, JsonVisitor* visitor)
         : stream_(stream), has_escaped_units_(has_escaped_units), visitor_(visitor) {}
 
     JsonCheck result;
@@ -193,7 +144,7 @@ class Checker {
     }
     bool EndObject(rapidjson::SizeType) {
         leave();
-        std::string repeated;
+        std::string_view repeated;
         const std::size_t offset = keys_.close(&repeated);
         return offset == std::string::npos || stop_at_repeat(repeated, offset);
     }
@@ -226,20 +177,22 @@ class Checker {
         return stop(JsonFault::syntax, stream_.Tell(),
                     "expected a pair of \\u surrogate escapes, found one half");
     }
+    // A bracket is taken before its event.
+    std::size_t last_bracket() { return stream_.Tell() - 1; }
     void leave() {
         --depth_;
-        if (visitor_ != nullptr) visitor_->close();
+        if (visitor_ != nullptr) visitor_->close(last_bracket());
     }
     bool enter(bool is_array) {
         if (++depth_ <= kMaxJsonDepth) {
-            if (visitor_ != nullptr) visitor_->open(is_array);
+            if (visitor_ != nullptr) visitor_->open(is_array, last_bracket());
             return true;
         }
-        return stop(JsonFault::too_deep, stream_.Tell(),
+        return stop(JsonFault::too_deep, last_bracket(),
                     fmt::format("expected at most {} levels of nesting, found more", kMaxJsonDepth));
     }
 
-    const TextStream& stream_;
+    TextStream& stream_;
     bool has_escaped_units_;  // the text holds "\u" somewhere; most do not, and skip a search per string
     JsonVisitor* visitor_;    // may be null
     KeyStack keys_;
@@ -325,11 +278,15 @@ JsonCheck check_json(std::string_view text, JsonVisitor* visitor) {
         return {JsonFault::utf8, malformed,
                 fmt::format("expected well-formed UTF-8, found {}", found_at(text, malformed))};
     }
-    TextStream stream(text);
+    // Strings are unescaped in place: in a copy, since the text is the caller's.
+    std::string copy;
+    copy.reserve(text.size() + kVectorBytes);
+    copy.append(text).append(kVectorBytes, '\0');
+    TextStream stream(copy.data());
     Checker checker(stream, text.find("\\u") != std::string_view::npos, visitor);
     rapidjson::Reader reader;
     // The recursive parser, which is the faster one: the checker stops it at kMaxJsonDepth levels.
-    const rapidjson::ParseResult parsed = reader.Parse<rapidjson::kParseDefaultFlags>(stream, checker);
+    const rapidjson::ParseResult parsed = reader.Parse<rapidjson::kParseInsituFlag>(stream, checker);
     if (checker.result.fault != JsonFault::none) return checker.result;
     if (parsed.Code() == rapidjson::kParseErrorNumberTooBig) {
         return {JsonFault::number_range, parsed.Offset(), checker.number_detail()};

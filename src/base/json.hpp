@@ -27,14 +27,14 @@ class JsonVisitor {
     virtual void text(std::string_view value) = 0;
     virtual void number(double value) = 0;
     virtual void truth(bool value) = 0;
-    virtual void open(bool is_array) = 0;  // an object or an array begins
-    virtual void close() = 0;              // the innermost one ends
+    virtual void open(bool is_array, std::size_t offset) = 0;  // an object or an array begins at its bracket
+    virtual void close(std::size_t offset) = 0;                // the innermost one ends with this bracket
 };
 
 // Checks that `text` is one JSON value in well-formed UTF-8, that no object holds a key twice, that every
 // number fits a finite double, and that nothing is nested more than kMaxJsonDepth deep.
-// Cost: O(size), no more than 64 levels of recursion; memory: the keys of the objects that are open. A visitor
-// spares another pass to those who look for something.
+// Cost: O(size), no more than 64 levels of recursion; memory: a copy of the text. A visitor spares another
+// pass to those who look for something.
 JsonCheck check_json(std::string_view text, JsonVisitor* visitor = nullptr);
 
 }  // namespace posepack::base

@@ -113,6 +113,8 @@ Runner add_bake(CLI::App& app) {
         ->type_name("DIR");
     add_output_options(app, options->source);
     app.add_flag("--strict", options->bake.animal.strict, "Refuse what would be repaired");
+    app.add_flag("--allow-data-uris", options->bake.animal.allow_data_uris,
+                 "Read buffers that stand as base64 in a model's JSON");
     app.add_flag("--keep-going", options->bake.keep_going,
                  "Bake the rest when an animal fails (exit code 9)");
     app.add_flag("--compare-vat", options->bake.animal.compare_vat,

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The time from a GLB's bytes to an Animal, against the time that tinygltf itself takes to parse the same bytes,
-// in one run and turn by turn.
+// The time from a GLB's bytes to an Animal, against the time that tinygltf itself takes to parse the same
+// bytes, in one run and turn by turn.
 //
 //   posepack_import_bench [--rounds N] [--limit RATIO] FILE.glb...
 //
-// Prints a row a file with the best of N rounds (default 40) and the ratio of the two; the last line holds their
-// sums. With --limit the exit code is 1 when the sums' ratio is larger. tinygltf is the one compiled into posepack,
-// with its RapidJSON backend and without images, which is the fastest there is: it takes a third of the time of
-// Debian's library.
+// Prints a row a file with the best of N rounds (default 40) and the ratio of the two; the last line holds
+// their sums. With --limit the exit code is 1 when the sums' ratio is larger. tinygltf is the one compiled
+// into posepack, with its RapidJSON backend and without images, which is the fastest there is: it takes a
+// third of the time of Debian's library.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -80,9 +80,9 @@ double elapsed_ms(Work work) {
 Times measure(const Bytes& bytes, int rounds) {
     Times times;
     for (int round = 0; round < rounds; ++round) {
-        times.tinygltf_ms = std::min(times.tinygltf_ms, elapsed_ms([&] {
-                                         times.is_good = parse_with_tinygltf(bytes) && times.is_good;
-                                     }));
+        times.tinygltf_ms =
+            std::min(times.tinygltf_ms,
+                     elapsed_ms([&] { times.is_good = parse_with_tinygltf(bytes) && times.is_good; }));
         times.posepack_ms = std::min(
             times.posepack_ms, elapsed_ms([&] {
                 times.is_good = static_cast<bool>(posepack::animal::read_animal(bytes)) && times.is_good;

@@ -15,7 +15,7 @@ CATALOG_OPTIONS = {"--models", "--only"}
 OUTPUT_OPTIONS = {"--encoding", "--texel-format", "--texel-order", "--row-pitch", "--caps", "--rate"}
 OPTIONS = {
     "bake": CATALOG_OPTIONS | OUTPUT_OPTIONS | {
-        "--output", "--strict", "--keep-going", "--compare-vat", "--no-measure", "--no-fsync", "--jobs",
+        "--output", "--strict", "--allow-data-uris", "--keep-going", "--compare-vat", "--no-measure", "--no-fsync", "--jobs",
         "--lock-timeout", "--format"},
     "report": CATALOG_OPTIONS | {"--rates", "--format"},
     "compare": CATALOG_OPTIONS | {"--rate", "--copies", "--format"},

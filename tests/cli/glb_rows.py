@@ -122,10 +122,6 @@ REFUSED = [
      ()),
     ("G23", "sparse index equal to count", lambda: _changed(lambda d: _sparse(d, 3, glb.KEY_COUNT)),
      3, "E-GLB-SPARSE", ()),
-    ("G26", "requires meshopt", lambda: _changed(_require("EXT_meshopt_compression")),
-     5, "E-GLB-EXTENSION", ("EXT_meshopt_compression",)),
-    ("G29", "requires Draco", lambda: _changed(_require("KHR_draco_mesh_compression")),
-     5, "E-GLB-EXTENSION", ("KHR_draco_mesh_compression",)),
     ("G30", "requires an extension that nobody knows",
      lambda: _changed(_require("KHR_lights_punctual", "ACME_x")),
      5, "E-GLB-EXTENSION", ("ACME_x",)),
@@ -223,22 +219,9 @@ def _half_range(case):
     case.equal(found, 70_000.0, "root x in RGBA32F")
 
 
-def _silent_compression(case):
-    """Draco data without the requirement and without a fallback: zeros would be silently wrong."""
-    document = glb.tiny_animal()
-    document.json["extensionsUsed"] = ["KHR_draco_mesh_compression"]
-    primitive = document.json["meshes"][0]["primitives"][0]
-    primitive["extensions"] = {"KHR_draco_mesh_compression": {"bufferView": 0, "attributes": {"POSITION": 0}}}
-    for name in ("positions", "normals"):
-        del document.accessor(name)["bufferView"]
-    case.expect_bake_refused(case.write_animal(document.glb()), 5, "E-GLB-EXTENSION",
-                             mentions=("KHR_draco_mesh_compression",))
-
-
 ROWS = [_refused_row(*row) for row in REFUSED] + [
     Row("G11", "MUST PASS: unknown chunk behind BIN", _unknown_chunk),
     Row("G23b", "MUST PASS: sparse index one below count", _sparse_good),
-    Row("G29c", "Draco data that is neither required nor backed by plain data", _silent_compression),
     Row("G31", "buffer uri outside the file", _outside_buffer),
     Row("G32", "MUST PASS: image uris with commands and paths", _image_uris),
     Row("G41", "equal key times, with and without --strict", _equal_times),

@@ -2,7 +2,9 @@
 // Bakes a catalog and compares every bone matrix with three.js.
 //
 //   node compare_three.mjs --posepack EXE --catalog FILE (--assets NAME | --menagerie)
-//                          [--encoding NAME] [--texel-order NAME] [--rate HZ] [--only IDS]
+//                          [--encoding NAME] [--texel-order NAME] [--rate HZ] [--only IDS] [--limit R]
+//
+// --limit is the largest difference allowed, in parts of the radius R (default 1e-5, in RGBA32F).
 //
 // Models come from a folder of the assets ("animals"), or are generated first. Without the folder the test is
 // skipped (exit code 77), but fails where CI=true. It fails when nothing was compared.
@@ -14,7 +16,6 @@ import { readContainer } from './container.mjs';
 import { animalsOf, assetsFolder, bakeFloats, runPosepack, withScratchFolder } from './posepack.mjs';
 import { ThreeAnimal } from './three_animal.mjs';
 
-const LARGEST_ERROR = 1e-5; // of R, in RGBA32F
 const SKIPPED = 77;
 
 const { values: options } = parseArgs({
@@ -27,8 +28,10 @@ const { values: options } = parseArgs({
         'texel-order': { type: 'string', default: 'bone-major' },
         rate: { type: 'string' },
         only: { type: 'string' },
+        limit: { type: 'string', default: '1e-5' },
     },
 });
+const LARGEST_ERROR = Number(options.limit);
 
 function printAnimal(id, result) {
     const { error, clip, row, joint } = result.worst;

@@ -168,7 +168,11 @@ const std::vector<Refusal>& structure_refusals() {
          }},
         {"unknown required extension", IssueCode::glb_extension,
          [](GlbBuilder& g) { g.document["extensionsRequired"] = {"EXT_nobody_knows"}; }},
-        {"Draco primitive with empty accessors", IssueCode::glb_extension,
+        {"meshopt stream without a mode", IssueCode::glb_meshopt,
+         [](GlbBuilder& g) {
+             g.document["bufferViews"][0]["extensions"]["EXT_meshopt_compression"] = {{"buffer", 0}};
+         }},
+        {"Draco primitive whose stream is none", IssueCode::glb_draco,
          [](GlbBuilder& g) {
              Json& primitive = g.document["meshes"][0]["primitives"][0];
              primitive["extensions"]["KHR_draco_mesh_compression"] = {{"bufferView", 0},
