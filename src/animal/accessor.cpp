@@ -50,6 +50,53 @@ std::size_t type_components(int type) {
     }
 }
 
+// Names as glTF 2.0 gives them, in sections 3.6.2.2 and 3.6.2.4.
+std::string type_name(int type) {
+    switch (type) {
+        case TINYGLTF_TYPE_SCALAR:
+            return "SCALAR";
+        case TINYGLTF_TYPE_VEC2:
+            return "VEC2";
+        case TINYGLTF_TYPE_VEC3:
+            return "VEC3";
+        case TINYGLTF_TYPE_VEC4:
+            return "VEC4";
+        case TINYGLTF_TYPE_MAT2:
+            return "MAT2";
+        case TINYGLTF_TYPE_MAT3:
+            return "MAT3";
+        case TINYGLTF_TYPE_MAT4:
+            return "MAT4";
+        default:
+            return "no type of glTF";
+    }
+}
+
+std::string component_name(int component) {
+    switch (component) {
+        case TINYGLTF_COMPONENT_TYPE_BYTE:
+            return "BYTE";
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+            return "UNSIGNED_BYTE";
+        case TINYGLTF_COMPONENT_TYPE_SHORT:
+            return "SHORT";
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+            return "UNSIGNED_SHORT";
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+            return "UNSIGNED_INT";
+        case TINYGLTF_COMPONENT_TYPE_FLOAT:
+            return "FLOAT";
+        default:
+            return fmt::format("component type {}", component);
+    }
+}
+
+std::string component_names(std::initializer_list<int> components) {
+    std::string names;
+    for (const int component : components) names += (names.empty() ? "" : " or ") + component_name(component);
+    return names;
+}
+
 template <class Integer>
 Integer load(const std::uint8_t* at) {
     Integer value;
@@ -119,28 +166,30 @@ base::Result<AccessorReader::Source> AccessorReader::open_view(int view_index, s
                                                                bool tight, const std::string& where) const {
     if (view_index < 0 || static_cast<std::size_t>(view_index) >= model_.bufferViews.size())
         return Issue{IssueCode::glb_reference, where,
-                     fmt::format("buffer view {} does not exist", view_index)};
+                     fmt::format("expected one of {} buffer views, found index {}", model_.bufferViews.size(), view_index)};
     const tinygltf::BufferView& view = model_.bufferViews[static_cast<std::size_t>(view_index)];
     if (view.buffer < 0 || static_cast<std::size_t>(view.buffer) >= model_.buffers.size())
         return Issue{IssueCode::glb_reference, fmt::format("bufferViews/{}", view_index),
-                     fmt::format("buffer {} does not exist", view.buffer)};
+                     fmt::format("expected one of {} buffers, found index {}", model_.buffers.size(), view.buffer)};
     const std::size_t buffer_bytes = model_.buffers[static_cast<std::size_t>(view.buffer)].data.size();
     if (view.byteOffset > buffer_bytes || view.byteLength > buffer_bytes - view.byteOffset)
         return Issue{IssueCode::glb_view_range, fmt::format("bufferViews/{}", view_index),
-                     fmt::format("{} bytes from {} on leave the buffer of {} bytes", view.byteLength,
-                                 view.byteOffset, buffer_bytes)};
+                     fmt::format("expected a range within the buffer's {} bytes, found {} bytes from byte {} on",
+                                 buffer_bytes, view.byteLength, view.byteOffset)};
     const std::size_t components = type_components(type);
     const std::size_t element_bytes = components * component_bytes(component);
     const std::size_t stride = tight || view.byteStride == 0 ? element_bytes : view.byteStride;
     if (stride < element_bytes || stride > 252 + element_bytes)
         return Issue{IssueCode::glb_accessor_range, where,
-                     fmt::format("a stride of {} bytes does not fit elements of {}", stride, element_bytes)};
+                     fmt::format("expected a stride of {} to {} bytes, found {}", element_bytes, 252 + element_bytes,
+                                 stride)};
     // count is below 2^32 and stride below 2^9: the product cannot overflow.
     const std::size_t needed = count == 0 ? 0 : (count - 1) * stride + element_bytes;
     if (byte_offset > view.byteLength || needed > view.byteLength - byte_offset)
         return Issue{IssueCode::glb_accessor_range, where,
-                     fmt::format("{} elements from byte {} on end at {}, the buffer view has {} bytes", count,
-                                 byte_offset, byte_offset + needed, view.byteLength)};
+                     fmt::format("expected elements within the buffer view's {} bytes, found {} from byte {} on that "
+                                 "end at {}",
+                                 view.byteLength, count, byte_offset, byte_offset + needed)};
     Source source;
     source.data =
         model_.buffers[static_cast<std::size_t>(view.buffer)].data.data() + view.byteOffset + byte_offset;
@@ -153,19 +202,21 @@ base::Result<AccessorReader::Source> AccessorReader::open_view(int view_index, s
 
 base::Result<AccessorReader::Source> AccessorReader::open(int index, const AccessorUse& use) {
     if (index < 0 || static_cast<std::size_t>(index) >= model_.accessors.size())
-        return Issue{IssueCode::glb_reference, use.where, fmt::format("accessor {} does not exist", index)};
+        return Issue{IssueCode::glb_reference, use.where, fmt::format("expected one of {} accessors, found index {}", model_.accessors.size(), index)};
     const tinygltf::Accessor& accessor = model_.accessors[static_cast<std::size_t>(index)];
     const std::string where = fmt::format("{} (accessors/{})", use.where, index);
     if (accessor.type != use.type || std::find(use.components.begin(), use.components.end(),
                                                accessor.componentType) == use.components.end())
         return Issue{IssueCode::glb_accessor_type, where,
-                     fmt::format("type {} with component type {} does not fit here", accessor.type,
-                                 accessor.componentType)};
+                     fmt::format("expected {} of {}, found {} of {}", type_name(use.type),
+                                 component_names(use.components), type_name(accessor.type),
+                                 component_name(accessor.componentType))};
     if (accessor.count == 0)
         return Issue{IssueCode::glb_accessor_count, where, "expected at least one element, found 0"};
     if (accessor.count > std::numeric_limits<std::uint32_t>::max())
         return Issue{IssueCode::glb_accessor_range, where,
-                     fmt::format("{} elements leave every buffer", accessor.count)};
+                     fmt::format("expected at most {} elements, found {}",
+                                 std::numeric_limits<std::uint32_t>::max(), accessor.count)};
     Source source;
     source.components = type_components(use.type);
     source.component = accessor.componentType;
@@ -180,8 +231,8 @@ base::Result<AccessorReader::Source> AccessorReader::open(int index, const Acces
     decoded_bytes_ += accessor.count * source.components * sizeof(float);
     if (accessor.count > kMaxElements || decoded_bytes_ > decoded_limit_bytes_)
         return Issue{IssueCode::lim_decoded, where,
-                     fmt::format("{} elements need {} bytes, this file may ask for {}", accessor.count,
-                                 decoded_bytes_, decoded_limit_bytes_)};
+                     fmt::format("expected at most {} bytes of decoded data, found {} with the {} elements of this one",
+                                 decoded_limit_bytes_, decoded_bytes_, accessor.count)};
     source.accessor = &accessor;
     return source;
 }
@@ -210,7 +261,8 @@ base::Result<std::vector<T>> AccessorReader::read(int index, const AccessorUse& 
     if (index_type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE &&
         index_type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
         index_type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)
-        return Issue{IssueCode::glb_sparse, where, fmt::format("component type {} is no index", index_type)};
+        return Issue{IssueCode::glb_sparse, where, fmt::format("expected indices of UNSIGNED_BYTE, UNSIGNED_SHORT or UNSIGNED_INT, found {}",
+                                 component_name(index_type))};
     const auto count = static_cast<std::size_t>(sparse.count);
     // Both streams are tightly packed whatever their views say (glTF 2.0 section 3.6.2.3).
     auto indices = open_view(sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset),
@@ -225,7 +277,7 @@ base::Result<std::vector<T>> AccessorReader::read(int index, const AccessorUse& 
         const std::size_t target = to_integer(at, index_type);
         if (target < next || target >= source.count)
             return Issue{IssueCode::glb_sparse, where,
-                         fmt::format("index {} is {}, expected {} to {}", i, target, next, source.count - 1)};
+                         fmt::format("expected index {} from {} to {}, found {}", i, next, source.count - 1, target)};
         copy(values.value(), i, target);
         next = target + 1;
     }
@@ -241,7 +293,7 @@ base::Result<std::vector<float>> AccessorReader::read_floats(int index, const Ac
     const auto bad = std::find_if(values.begin(), values.end(), [](float v) { return !std::isfinite(v); });
     if (bad == values.end()) return floats;
     return Issue{IssueCode::glb_number, fmt::format("{} (accessors/{})", use.where, index),
-                 fmt::format("element {} is {}",
+                 fmt::format("expected finite numbers, found element {} with {}",
                              (bad - values.begin()) / static_cast<long>(type_components(use.type)), *bad)};
 }
 

@@ -79,7 +79,7 @@ base::Status check_gltf_facts(std::string_view json) {
         return Issue{IssueCode::glb_json, "", "expected a JSON object as the root, found another value"};
     if (!facts.unknown_extension.empty())
         return Issue{IssueCode::glb_extension, "extensionsRequired",
-                     fmt::format("this posepack does not read {}", facts.unknown_extension)};
+                     fmt::format("expected extensions that posepack reads, found {}", facts.unknown_extension)};
     if (facts.has_buffer_uri)
         return Issue{IssueCode::glb_uri, "buffers",
                      fmt::format("expected the data in the BIN chunk, found the uri '{}'",

@@ -8,6 +8,7 @@
 
 #include "animal/names.hpp"
 #include "animal/read_parts.hpp"
+#include "base/text.hpp"
 
 namespace posepack::animal {
 namespace {
@@ -30,12 +31,12 @@ base::Status check_times(std::span<const float> times, const std::string& where,
     for (std::size_t k = 0; k < times.size(); ++k) {
         if (times[k] < 0.0f)
             return Issue{IssueCode::glb_times, where,
-                         fmt::format("key {} is at {} s, expected 0 or later", k, times[k])};
+                         fmt::format("expected key times from 0 s on, found key {} at {} s", k, times[k])};
         if (k == 0) continue;
         if (times[k] < times[k - 1])
             return Issue{
                 IssueCode::glb_times, where,
-                fmt::format("key {} at {} s comes before key {} at {} s", k, times[k], k - 1, times[k - 1])};
+                fmt::format("expected rising key times, found key {} at {} s behind {} s", k, times[k], times[k - 1])};
         if (static_cast<double>(times[k]) - times[k - 1] < kEqualTimesS) ++repairs.equal_times;
     }
     return {};
@@ -51,7 +52,7 @@ base::Status check_rotations(std::span<float> values, bool cubic, const std::str
         for (int c = 0; c < 4; ++c) sum += static_cast<double>(q[c]) * q[c];
         const double length = std::sqrt(sum);
         if (length < 1e-6)
-            return Issue{IssueCode::glb_quat, where, fmt::format("rotation key {} is zero", k)};
+            return Issue{IssueCode::glb_quat, where, fmt::format("expected unit quaternions, found rotation key {} with length {:.3g}", k, length)};
         if (std::abs(length - 1.0) > kUnitTolerance) {
             ++repairs.not_unit;
             for (int c = 0; c < 4; ++c) q[c] = static_cast<float>(q[c] / length);
@@ -91,7 +92,7 @@ class ChannelReader {
             channel.interpolation = Interpolation::cubic_spline;
         else
             return Issue{IssueCode::glb_channel, where,
-                         fmt::format("unknown interpolation '{}'", name.substr(0, 64))};
+                         fmt::format("expected interpolation LINEAR, STEP or CUBICSPLINE, found '{}'", name.substr(0, 64))};
         return {};
     }
 
@@ -169,11 +170,13 @@ base::Status read_channel(ReadContext& context, ChannelReader& reader, const tin
     if (!path || channel_source.target_node < 0) return ++repairs.left_out, base::Status{};
     if (static_cast<std::size_t>(channel_source.target_node) >= context.animal.nodes.size())
         return Issue{IssueCode::glb_reference, place,
-                     fmt::format("node {} does not exist", channel_source.target_node)};
+                     fmt::format("expected one of {} nodes as target, found index {}", context.animal.nodes.size(),
+                                 channel_source.target_node)};
     if (channel_source.sampler < 0 ||
         static_cast<std::size_t>(channel_source.sampler) >= source.samplers.size())
         return Issue{IssueCode::glb_channel, place,
-                     fmt::format("sampler {} does not exist", channel_source.sampler)};
+                     fmt::format("expected one of {} samplers, found index {}", source.samplers.size(),
+                                 channel_source.sampler)};
     Channel channel;
     channel.node = static_cast<std::uint32_t>(channel_source.target_node);
     channel.path = *path;
@@ -184,7 +187,8 @@ base::Status read_channel(ReadContext& context, ChannelReader& reader, const tin
         return status;
     if (context.animal.nodes[channel.node].has_matrix)
         return Issue{IssueCode::glb_channel, place,
-                     fmt::format("node {} has a matrix and must not be animated", channel.node)};
+                     fmt::format("expected a target node with translation, rotation and scale, found node {} with a matrix",
+                                 channel.node)};
     add_channel(clip, targets, channel, repairs);
     return {};
 }
@@ -193,18 +197,21 @@ base::Status report_repairs(ReadContext& context, const ClipRepairs& repairs, co
     if (repairs.equal_times > 0)
         if (auto s = context.repair(
                 IssueCode::warn_times, IssueCode::glb_times, where,
-                fmt::format("{} keys lie within 1e-6 s of the key before", repairs.equal_times));
+                fmt::format("expected keys at least 1e-6 s apart, found {} nearer to the one before",
+                            base::counted(repairs.equal_times, "key")));
             !s)
             return s;
     if (repairs.not_unit > 0)
         if (auto s = context.repair(IssueCode::warn_quat, IssueCode::glb_quat, where,
-                                    fmt::format("{} rotation keys are not of unit length", repairs.not_unit));
+                                    fmt::format("expected unit quaternions, found {} of another length",
+                                                base::counted(repairs.not_unit, "rotation key")));
             !s)
             return s;
     if (repairs.doubled > 0)
         if (auto s = context.repair(
                 IssueCode::warn_channel, IssueCode::glb_channel, where,
-                fmt::format("{} channels move a target that another one moves", repairs.doubled));
+                fmt::format("expected one channel a target, found {} on the target of another",
+                            base::counted(repairs.doubled, "channel")));
             !s)
             return s;
     return {};
@@ -232,10 +239,10 @@ base::Status refuse_without_clips(const tinygltf::Model& model) {
         for (const auto& channel : animation.channels) morphs = morphs || channel.target_path == "weights";
     if (morphs)
         return Issue{IssueCode::glb_morph_only, "animations",
-                     "every channel moves morph targets, none moves a node"};
+                     "expected a channel that moves a node, found morph targets only"};
     return Issue{
         IssueCode::glb_no_animation, "animations",
-        fmt::format("{} animations, none with a channel that moves a node", model.animations.size())};
+        fmt::format("expected a channel that moves a node, found none in {} animations", model.animations.size())};
 }
 
 }  // namespace

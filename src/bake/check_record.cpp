@@ -159,7 +159,8 @@ void fill_layout(const posepack_view& view, recipe::BakeRecord& record) {
     record.row_count = header.row_count;
     record.texture_width = header.texture_width_texels;
     record.texture_height = header.texture_height_texels;
-    record.texel_bytes = std::uint64_t{header.row_pitch_bytes} * header.texture_height_texels;
+    const std::uint64_t texel_bytes = header.texel_format == POSEPACK_TEXEL_RGBA32F ? 16 : 8;
+    record.texel_bytes = texel_bytes * header.texels_per_bone * header.bone_count * header.row_count;  // no fill
     record.radius_m = header.radius_m;
     posepack_space space;
     if (posepack_get_space(&view, &space) != POSEPACK_OK) return;

@@ -128,14 +128,15 @@ base::Result<BoneRow> find_bone_row(const posepack_view& view, const Options& op
         if (posepack_find_clip(&view, options.clip.c_str(), &index) != POSEPACK_OK ||
             posepack_get_clip(&view, index, &clip) != POSEPACK_OK)
             return Issue{IssueCode::usage, "--clip",
-                         fmt::format("the container has no clip '{}'", options.clip)};
+                         fmt::format("expected one of the container's {} clips, found '{}'", view.header.clip_count,
+                                     options.clip)};
         first_row = clip.first_row;
         row_limit = clip.row_count;
     }
-    if (options.row.value_or(0) >= row_limit)
+    if (*options.row >= row_limit)
         return Issue{IssueCode::usage, "--row",
                      fmt::format("expected 0 to {}, found {}", row_limit - 1, *options.row)};
-    place.row = first_row + options.row.value_or(0);
+    place.row = first_row + *options.row;
     if (options.bone.empty() || posepack_find_bone(&view, options.bone.c_str(), &place.bone) == POSEPACK_OK)
         return place;
     const bool number =
@@ -155,7 +156,7 @@ int print_matrix(const posepack_view& view, const Options& options) {
     posepack_bone bone;
     if (posepack_decode_bone(&view, place.value().row, place.value().bone, m) != POSEPACK_OK ||
         posepack_get_bone(&view, place.value().bone, &bone) != POSEPACK_OK)
-        return fail({IssueCode::pack_invalid, options.container, "the loader cannot decode that bone"});
+        return fail({IssueCode::pack_invalid, options.container, "expected a bone-row that the loader decodes, found one that it does not"});
     if (*options.format == Format::json) {
         nlohmann::json rows = nlohmann::json::array();
         for (int r = 0; r < 3; ++r) {
@@ -179,10 +180,13 @@ int print_matrix(const posepack_view& view, const Options& options) {
 }
 
 int run(const Options& options) {
+    if (!options.row && (!options.clip.empty() || !options.bone.empty()))
+        return fail({IssueCode::usage, options.clip.empty() ? "--bone" : "--clip",
+                     "expected --row with it, for one bone-row as a matrix, found none"});
     const auto file = open_container(options.container);
     if (!file) return fail(file.issue());
     const posepack_view& view = file.value().view;
-    if (options.row || !options.bone.empty() || !options.clip.empty()) return print_matrix(view, options);
+    if (options.row) return print_matrix(view, options);
     if (*options.format == Format::json)
         fmt::print("{}\n", output::container_json(view, 1));
     else
