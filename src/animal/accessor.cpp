@@ -166,30 +166,34 @@ base::Result<AccessorReader::Source> AccessorReader::open_view(int view_index, s
                                                                bool tight, const std::string& where) const {
     if (view_index < 0 || static_cast<std::size_t>(view_index) >= model_.bufferViews.size())
         return Issue{IssueCode::glb_reference, where,
-                     fmt::format("expected one of {} buffer views, found index {}", model_.bufferViews.size(), view_index)};
+                     fmt::format("expected one of {} buffer views, found index {}", model_.bufferViews.size(),
+                                 view_index)};
     const tinygltf::BufferView& view = model_.bufferViews[static_cast<std::size_t>(view_index)];
     if (view.buffer < 0 || static_cast<std::size_t>(view.buffer) >= model_.buffers.size())
-        return Issue{IssueCode::glb_reference, fmt::format("bufferViews/{}", view_index),
-                     fmt::format("expected one of {} buffers, found index {}", model_.buffers.size(), view.buffer)};
+        return Issue{
+            IssueCode::glb_reference, fmt::format("bufferViews/{}", view_index),
+            fmt::format("expected one of {} buffers, found index {}", model_.buffers.size(), view.buffer)};
     const std::size_t buffer_bytes = model_.buffers[static_cast<std::size_t>(view.buffer)].data.size();
     if (view.byteOffset > buffer_bytes || view.byteLength > buffer_bytes - view.byteOffset)
-        return Issue{IssueCode::glb_view_range, fmt::format("bufferViews/{}", view_index),
-                     fmt::format("expected a range within the buffer's {} bytes, found {} bytes from byte {} on",
-                                 buffer_bytes, view.byteLength, view.byteOffset)};
+        return Issue{
+            IssueCode::glb_view_range, fmt::format("bufferViews/{}", view_index),
+            fmt::format("expected a range within the buffer's {} bytes, found {} bytes from byte {} on",
+                        buffer_bytes, view.byteLength, view.byteOffset)};
     const std::size_t components = type_components(type);
     const std::size_t element_bytes = components * component_bytes(component);
     const std::size_t stride = tight || view.byteStride == 0 ? element_bytes : view.byteStride;
     if (stride < element_bytes || stride > 252 + element_bytes)
         return Issue{IssueCode::glb_accessor_range, where,
-                     fmt::format("expected a stride of {} to {} bytes, found {}", element_bytes, 252 + element_bytes,
-                                 stride)};
+                     fmt::format("expected a stride of {} to {} bytes, found {}", element_bytes,
+                                 252 + element_bytes, stride)};
     // count is below 2^32 and stride below 2^9: the product cannot overflow.
     const std::size_t needed = count == 0 ? 0 : (count - 1) * stride + element_bytes;
     if (byte_offset > view.byteLength || needed > view.byteLength - byte_offset)
-        return Issue{IssueCode::glb_accessor_range, where,
-                     fmt::format("expected elements within the buffer view's {} bytes, found {} from byte {} on that "
-                                 "end at {}",
-                                 view.byteLength, count, byte_offset, byte_offset + needed)};
+        return Issue{
+            IssueCode::glb_accessor_range, where,
+            fmt::format("expected elements within the buffer view's {} bytes, found {} from byte {} on that "
+                        "end at {}",
+                        view.byteLength, count, byte_offset, byte_offset + needed)};
     Source source;
     source.data =
         model_.buffers[static_cast<std::size_t>(view.buffer)].data.data() + view.byteOffset + byte_offset;
@@ -202,7 +206,9 @@ base::Result<AccessorReader::Source> AccessorReader::open_view(int view_index, s
 
 base::Result<AccessorReader::Source> AccessorReader::open(int index, const AccessorUse& use) {
     if (index < 0 || static_cast<std::size_t>(index) >= model_.accessors.size())
-        return Issue{IssueCode::glb_reference, use.where, fmt::format("expected one of {} accessors, found index {}", model_.accessors.size(), index)};
+        return Issue{
+            IssueCode::glb_reference, use.where,
+            fmt::format("expected one of {} accessors, found index {}", model_.accessors.size(), index)};
     const tinygltf::Accessor& accessor = model_.accessors[static_cast<std::size_t>(index)];
     const std::string where = fmt::format("{} (accessors/{})", use.where, index);
     if (accessor.type != use.type || std::find(use.components.begin(), use.components.end(),
@@ -230,9 +236,11 @@ base::Result<AccessorReader::Source> AccessorReader::open(int index, const Acces
     // Counted after the range check, so that a lie about the count is called one; before any allocation.
     decoded_bytes_ += accessor.count * source.components * sizeof(float);
     if (accessor.count > kMaxElements || decoded_bytes_ > decoded_limit_bytes_)
-        return Issue{IssueCode::lim_decoded, where,
-                     fmt::format("expected at most {} bytes of decoded data, found {} with the {} elements of this one",
-                                 decoded_limit_bytes_, decoded_bytes_, accessor.count)};
+        return Issue{
+            IssueCode::lim_decoded, where,
+            fmt::format(
+                "expected at most {} bytes of decoded data, found {} with the {} elements of this one",
+                decoded_limit_bytes_, decoded_bytes_, accessor.count)};
     source.accessor = &accessor;
     return source;
 }
@@ -261,8 +269,10 @@ base::Result<std::vector<T>> AccessorReader::read(int index, const AccessorUse& 
     if (index_type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE &&
         index_type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
         index_type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)
-        return Issue{IssueCode::glb_sparse, where, fmt::format("expected indices of UNSIGNED_BYTE, UNSIGNED_SHORT or UNSIGNED_INT, found {}",
-                                 component_name(index_type))};
+        return Issue{
+            IssueCode::glb_sparse, where,
+            fmt::format("expected indices of UNSIGNED_BYTE, UNSIGNED_SHORT or UNSIGNED_INT, found {}",
+                        component_name(index_type))};
     const auto count = static_cast<std::size_t>(sparse.count);
     // Both streams are tightly packed whatever their views say (glTF 2.0 section 3.6.2.3).
     auto indices = open_view(sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset),
@@ -276,8 +286,9 @@ base::Result<std::vector<T>> AccessorReader::read(int index, const AccessorUse& 
         const std::uint8_t* at = indices.value().data + i * indices.value().stride_bytes;
         const std::size_t target = to_integer(at, index_type);
         if (target < next || target >= source.count)
-            return Issue{IssueCode::glb_sparse, where,
-                         fmt::format("expected index {} from {} to {}, found {}", i, next, source.count - 1, target)};
+            return Issue{
+                IssueCode::glb_sparse, where,
+                fmt::format("expected index {} from {} to {}, found {}", i, next, source.count - 1, target)};
         copy(values.value(), i, target);
         next = target + 1;
     }

@@ -78,8 +78,9 @@ base::Status check_gltf_facts(std::string_view json) {
     if (!facts.root_is_object)
         return Issue{IssueCode::glb_json, "", "expected a JSON object as the root, found another value"};
     if (!facts.unknown_extension.empty())
-        return Issue{IssueCode::glb_extension, "extensionsRequired",
-                     fmt::format("expected extensions that posepack reads, found {}", facts.unknown_extension)};
+        return Issue{
+            IssueCode::glb_extension, "extensionsRequired",
+            fmt::format("expected extensions that posepack reads, found {}", facts.unknown_extension)};
     if (facts.has_buffer_uri)
         return Issue{IssueCode::glb_uri, "buffers",
                      fmt::format("expected the data in the BIN chunk, found the uri '{}'",

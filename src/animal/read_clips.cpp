@@ -34,9 +34,9 @@ base::Status check_times(std::span<const float> times, const std::string& where,
                          fmt::format("expected key times from 0 s on, found key {} at {} s", k, times[k])};
         if (k == 0) continue;
         if (times[k] < times[k - 1])
-            return Issue{
-                IssueCode::glb_times, where,
-                fmt::format("expected rising key times, found key {} at {} s behind {} s", k, times[k], times[k - 1])};
+            return Issue{IssueCode::glb_times, where,
+                         fmt::format("expected rising key times, found key {} at {} s behind {} s", k,
+                                     times[k], times[k - 1])};
         if (static_cast<double>(times[k]) - times[k - 1] < kEqualTimesS) ++repairs.equal_times;
     }
     return {};
@@ -52,7 +52,9 @@ base::Status check_rotations(std::span<float> values, bool cubic, const std::str
         for (int c = 0; c < 4; ++c) sum += static_cast<double>(q[c]) * q[c];
         const double length = std::sqrt(sum);
         if (length < 1e-6)
-            return Issue{IssueCode::glb_quat, where, fmt::format("expected unit quaternions, found rotation key {} with length {:.3g}", k, length)};
+            return Issue{IssueCode::glb_quat, where,
+                         fmt::format("expected unit quaternions, found rotation key {} with length {:.3g}", k,
+                                     length)};
         if (std::abs(length - 1.0) > kUnitTolerance) {
             ++repairs.not_unit;
             for (int c = 0; c < 4; ++c) q[c] = static_cast<float>(q[c] / length);
@@ -92,7 +94,8 @@ class ChannelReader {
             channel.interpolation = Interpolation::cubic_spline;
         else
             return Issue{IssueCode::glb_channel, where,
-                         fmt::format("expected interpolation LINEAR, STEP or CUBICSPLINE, found '{}'", name.substr(0, 64))};
+                         fmt::format("expected interpolation LINEAR, STEP or CUBICSPLINE, found '{}'",
+                                     name.substr(0, 64))};
         return {};
     }
 
@@ -170,8 +173,8 @@ base::Status read_channel(ReadContext& context, ChannelReader& reader, const tin
     if (!path || channel_source.target_node < 0) return ++repairs.left_out, base::Status{};
     if (static_cast<std::size_t>(channel_source.target_node) >= context.animal.nodes.size())
         return Issue{IssueCode::glb_reference, place,
-                     fmt::format("expected one of {} nodes as target, found index {}", context.animal.nodes.size(),
-                                 channel_source.target_node)};
+                     fmt::format("expected one of {} nodes as target, found index {}",
+                                 context.animal.nodes.size(), channel_source.target_node)};
     if (channel_source.sampler < 0 ||
         static_cast<std::size_t>(channel_source.sampler) >= source.samplers.size())
         return Issue{IssueCode::glb_channel, place,
@@ -186,9 +189,11 @@ base::Status read_channel(ReadContext& context, ChannelReader& reader, const tin
         !status)
         return status;
     if (context.animal.nodes[channel.node].has_matrix)
-        return Issue{IssueCode::glb_channel, place,
-                     fmt::format("expected a target node with translation, rotation and scale, found node {} with a matrix",
-                                 channel.node)};
+        return Issue{
+            IssueCode::glb_channel, place,
+            fmt::format(
+                "expected a target node with translation, rotation and scale, found node {} with a matrix",
+                channel.node)};
     add_channel(clip, targets, channel, repairs);
     return {};
 }
@@ -208,10 +213,10 @@ base::Status report_repairs(ReadContext& context, const ClipRepairs& repairs, co
             !s)
             return s;
     if (repairs.doubled > 0)
-        if (auto s = context.repair(
-                IssueCode::warn_channel, IssueCode::glb_channel, where,
-                fmt::format("expected one channel a target, found {} on the target of another",
-                            base::counted(repairs.doubled, "channel")));
+        if (auto s =
+                context.repair(IssueCode::warn_channel, IssueCode::glb_channel, where,
+                               fmt::format("expected one channel a target, found {} on the target of another",
+                                           base::counted(repairs.doubled, "channel")));
             !s)
             return s;
     return {};
@@ -240,9 +245,9 @@ base::Status refuse_without_clips(const tinygltf::Model& model) {
     if (morphs)
         return Issue{IssueCode::glb_morph_only, "animations",
                      "expected a channel that moves a node, found morph targets only"};
-    return Issue{
-        IssueCode::glb_no_animation, "animations",
-        fmt::format("expected a channel that moves a node, found none in {} animations", model.animations.size())};
+    return Issue{IssueCode::glb_no_animation, "animations",
+                 fmt::format("expected a channel that moves a node, found none in {} animations",
+                             model.animations.size())};
 }
 
 }  // namespace

@@ -32,7 +32,8 @@ base::Status refuse_draco(const tinygltf::Model& model, const tinygltf::Primitiv
     const bool is_stored = positions >= 0 && static_cast<std::size_t>(positions) < model.accessors.size() &&
                            model.accessors[static_cast<std::size_t>(positions)].bufferView >= 0;
     if (!primitive.extensions.contains(kDraco) || is_stored) return {};
-    return Issue{IssueCode::glb_extension, where, fmt::format("expected plain accessors, found geometry behind {}", kDraco)};
+    return Issue{IssueCode::glb_extension, where,
+                 fmt::format("expected plain accessors, found geometry behind {}", kDraco)};
 }
 
 base::Status read_geometry(ReadContext& context, const tinygltf::Primitive& source, const std::string& where,
@@ -86,9 +87,9 @@ base::Status read_influence_set(ReadContext& context, const tinygltf::Primitive&
             const float weight = weights.value()[v * 4 + i];
             // An unused influence may hold anything (the weight says it is unused).
             if (joint >= mesh.joint_count && weight != 0.0f)
-                return Issue{
-                    IssueCode::glb_joint_index, where + "/" + joints_name,
-                    fmt::format("expected joints below {}, found {} at vertex {}", mesh.joint_count, joint, v)};
+                return Issue{IssueCode::glb_joint_index, where + "/" + joints_name,
+                             fmt::format("expected joints below {}, found {} at vertex {}", mesh.joint_count,
+                                         joint, v)};
             const std::size_t slot = v * sets * 4 + static_cast<std::size_t>(set) * 4 + i;
             out.bones[slot] = joint < mesh.joint_count ? context.animal.joint_map[mesh.first_joint + joint]
                                                        : std::uint16_t{0};
@@ -136,8 +137,9 @@ base::Status report_repairs(ReadContext& context, const WeightRepairs& repairs, 
     if (repairs.truncated == 0) return {};
     return context.repair(
         IssueCode::warn_influences, IssueCode::glb_weights, where,
-        fmt::format("expected at most 4 influences, found {} with more: up to {:.3g} of a vertex's weight dropped",
-                    base::counted(repairs.truncated, "vertex", "vertices"), repairs.truncated_weight_max));
+        fmt::format(
+            "expected at most 4 influences, found {} with more: up to {:.3g} of a vertex's weight dropped",
+            base::counted(repairs.truncated, "vertex", "vertices"), repairs.truncated_weight_max));
 }
 
 base::Status append(ReadContext& context, const Primitive& primitive, const std::string& where) {
@@ -162,13 +164,15 @@ void note_left_out(ReadContext& context) {
     const bool is_rigid = !context.animal.meshes.empty() && context.animal.meshes.front().skin == kNone;
     if (rigid_meshes > 0 && !is_rigid)
         context.note(IssueCode::warn_left_out, "nodes",
-                     fmt::format("{} without a skin: not in the palette", base::counted(rigid_meshes, "rigid mesh", "rigid meshes")));
+                     fmt::format("{} without a skin: not in the palette",
+                                 base::counted(rigid_meshes, "rigid mesh", "rigid meshes")));
     std::uint32_t morphed = 0;
     for (const auto& mesh : model.meshes)
         for (const auto& primitive : mesh.primitives) morphed += primitive.targets.empty() ? 0 : 1;
     if (morphed > 0)
-        context.note(IssueCode::warn_left_out, "meshes",
-                     fmt::format("morph targets of {}: not in the palette", base::counted(morphed, "primitive")));
+        context.note(
+            IssueCode::warn_left_out, "meshes",
+            fmt::format("morph targets of {}: not in the palette", base::counted(morphed, "primitive")));
 }
 
 base::Status read_mesh(ReadContext& context, Mesh& mesh) {

@@ -120,10 +120,9 @@ base::Result<StateChoice> choose_states(const Animal& animal, const recipe::Anim
         if (entry.default_state.empty() || result.default_state != animal::kNone) return result;
     }
     if (!entry.default_state.empty())
-        return Issue{
-            IssueCode::cat_state_missing, "",
-            fmt::format("expected a default state that plays a clip, found '{}'",
-                        base::shortened(entry.default_state, 64))};
+        return Issue{IssueCode::cat_state_missing, "",
+                     fmt::format("expected a default state that plays a clip, found '{}'",
+                                 base::shortened(entry.default_state, 64))};
     result.default_state = 0;
     return result;
 }

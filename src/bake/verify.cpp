@@ -82,8 +82,9 @@ void check_strays(const std::filesystem::path& folder, const recipe::Manifest& m
             stray.insert(name);
     }
     for (const std::string& name : stray)
-        outcome.findings.push_back({strict ? IssueCode::man_stray : IssueCode::warn_stray, name,
-                                    "expected every container in the manifest, found one that it does not list"});
+        outcome.findings.push_back(
+            {strict ? IssueCode::man_stray : IssueCode::warn_stray, name,
+             "expected every container in the manifest, found one that it does not list"});
 }
 
 base::Result<VerifyOutcome> verify_folder(const std::filesystem::path& folder, bool strict) {

@@ -56,7 +56,8 @@ std::vector<menagerie::HerdMember> members_of(const Options& options) {
     else if (options.birds)
         for (const std::string_view id : menagerie::birds()) members.push_back({std::string(id), id, 0});
     else
-        members = menagerie::herd(options.animals.value_or(menagerie::animals().size()), options.seed.value_or(1));
+        members =
+            menagerie::herd(options.animals.value_or(menagerie::animals().size()), options.seed.value_or(1));
     if (!options.only.empty())
         std::erase_if(members, [&options](const menagerie::HerdMember& member) {
             return std::find(options.only.begin(), options.only.end(), member.kind) == options.only.end();
@@ -134,13 +135,14 @@ int write_members(const Options& options) {
 
 int run(const Options& options) {
     if (options.seed && !options.animals)
-        return fail({base::IssueCode::usage, "--seed", "expected --animals with it, whose others it chooses, found none"});
+        return fail({base::IssueCode::usage, "--seed",
+                     "expected --animals with it, whose others it chooses, found none"});
     if (const auto status = check_ids(options); !status) return fail(status.issue());
     std::error_code error;
     std::filesystem::create_directories(options.folder, error);
     if (error)
-        return fail(
-            {base::IssueCode::io_write, options.folder, "expected a folder that can be made, found: " + error.message()});
+        return fail({base::IssueCode::io_write, options.folder,
+                     "expected a folder that can be made, found: " + error.message()});
     return write_members(options);
 }
 

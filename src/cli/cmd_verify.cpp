@@ -38,7 +38,8 @@ int run(const Options& options) {
         fmt::print("{}\n", out.dump(1));
     } else {
         fmt::print("{}: {}, {} bytes checked\n", exit_code == 0 ? "ok" : "FAILED",
-                   base::counted(outcome.value().container_count, "container"), base::grouped(outcome.value().byte_count));
+                   base::counted(outcome.value().container_count, "container"),
+                   base::grouped(outcome.value().byte_count));
     }
     return exit_code;
 }

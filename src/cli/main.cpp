@@ -92,7 +92,8 @@ int parse_and_run(int argc, char** argv) {
         if (const auto refused = refuse_extras()) return *refused;
         const std::string what = error.what();
         const bool is_ours = what.find("expected ") != std::string::npos;
-        return fail({IssueCode::usage, "", is_ours ? what : "expected arguments as --help lists them, found: " + what});
+        return fail({IssueCode::usage, "",
+                     is_ours ? what : "expected arguments as --help lists them, found: " + what});
     }
     if (const auto refused = refuse_extras()) return *refused;
     if (chosen() == nullptr) return fail({IssueCode::usage, "", "expected a command, found none"});
@@ -102,7 +103,8 @@ int parse_and_run(int argc, char** argv) {
 // Results that did not reach stdout (a full disk behind a pipe or a redirection) are a failure.
 int flush_output(int exit_code) {
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit_code;
-    return fail({IssueCode::io_write, "stdout", "expected an open stream with room for the results, found one that takes no more"});
+    return fail({IssueCode::io_write, "stdout",
+                 "expected an open stream with room for the results, found one that takes no more"});
 }
 
 }  // namespace
@@ -114,7 +116,8 @@ int main(int argc, char** argv) {
     try {
         return posepack::cli::flush_output(posepack::cli::parse_and_run(argc, argv));
     } catch (const std::bad_alloc&) {
-        return posepack::cli::fail({IssueCode::memory, "", "expected more memory, found that an allocation failed"});
+        return posepack::cli::fail(
+            {IssueCode::memory, "", "expected more memory, found that an allocation failed"});
     } catch (const std::system_error& error) {
         return posepack::cli::fail({IssueCode::io_write, "", error.what()});
     } catch (const std::exception& exception) {

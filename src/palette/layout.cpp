@@ -28,8 +28,8 @@ base::Result<Layout> choose_layout(const recipe::OutputOptions& options, std::ui
     layout.rows_per_line = (row_count + cap - 1) / cap;
     if (row_texels > cap / layout.rows_per_line)
         return Issue{IssueCode::lim_texture, "",
-                     fmt::format("expected at most {} x {} texels, found {} rows of {} texels", cap, cap, row_count,
-                                 row_texels)};
+                     fmt::format("expected at most {} x {} texels, found {} rows of {} texels", cap, cap,
+                                 row_count, row_texels)};
     layout.texture_width = row_texels * layout.rows_per_line;
     layout.texture_height = (row_count + layout.rows_per_line - 1) / layout.rows_per_line;
     layout.row_pitch_bytes = layout.texture_width * layout.texel_bytes;

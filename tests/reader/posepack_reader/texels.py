@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The texture: its geometry, the texels and where a bone-row lies (sections 10 to 12; rules G and X)."""
+"""The texture: its geometry, the texels and where a bone-row lies (section 10; rules G and X)."""
 import struct
 
 from posepack_reader.values import is_zero, require

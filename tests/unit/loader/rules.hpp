@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What the tests of the format's rules share: one change of a good container, and the answer it must get. Every
-// container has right checksums. Rule numbers are those of docs/format/posepack-1.md; P and two digits number the
-// list of bad containers that every release answers alike.
+// What the tests of the format's rules share: one change of a good container, and the answer it must get.
+// Every container has right checksums. Rule numbers are those of docs/format/posepack-1.md; P and two digits
+// number the list of bad containers that every release answers alike.
 #pragma once
 
 #include <gtest/gtest.h>
