@@ -22,8 +22,7 @@ bool interrupt_requested() noexcept {
 
 Status check_interrupt() {
     if (!interrupt_requested()) return {};
-    return Issue{IssueCode::interrupted, "",
-                 "expected to finish, found a signal to stop; nothing was published"};
+    return Issue{IssueCode::interrupted, "", "expected to run to the end, found a signal to stop"};
 }
 
 void clear_interrupt() noexcept {
