@@ -13,6 +13,45 @@ namespace {
 using base::Issue;
 using base::IssueCode;
 
+// Names as glTF 2.0 gives them, in sections 3.6.2.2 and 3.6.2.4.
+std::string type_name(int type) {
+    switch (type) {
+        case TINYGLTF_TYPE_SCALAR:
+            return "SCALAR";
+        case TINYGLTF_TYPE_VEC3:
+            return "VEC3";
+        case TINYGLTF_TYPE_VEC4:
+            return "VEC4";
+        default:
+            return "MAT4";
+    }
+}
+
+std::string component_name(int component) {
+    switch (component) {
+        case TINYGLTF_COMPONENT_TYPE_BYTE:
+            return "BYTE";
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+            return "UNSIGNED_BYTE";
+        case TINYGLTF_COMPONENT_TYPE_SHORT:
+            return "SHORT";
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+            return "UNSIGNED_SHORT";
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+            return "UNSIGNED_INT";
+        case TINYGLTF_COMPONENT_TYPE_FLOAT:
+            return "FLOAT";
+        default:
+            return fmt::format("component type {}", component);
+    }
+}
+
+std::string component_names(std::initializer_list<int> components) {
+    std::string names;
+    for (const int component : components) names += (names.empty() ? "" : " or ") + component_name(component);
+    return names;
+}
+
 Issue in_accessor(const AccessorUse& use, int index, Issue issue) {
     return base::at(fmt::format("{} (accessors/{})", use.place.text(), index), std::move(issue));
 }
@@ -79,14 +118,17 @@ base::Status AccessorReader::open_draco(const AccessorUse& use, Source& source) 
 
 base::Result<AccessorReader::Source> AccessorReader::open(int index, const AccessorUse& use) {
     if (index < 0 || static_cast<std::size_t>(index) >= facts().accessors.size())
-        return Issue{IssueCode::glb_reference, "", "it does not exist"};
+        return Issue{
+            IssueCode::glb_reference, "",
+            fmt::format("expected one of {} accessors, found index {}", facts().accessors.size(), index)};
     const AccessorFacts& accessor = facts().accessors[static_cast<std::size_t>(index)];
     const auto component = static_cast<int>(std::min<std::uint64_t>(accessor.component, 0xFFFF));
     if (accessor.type != use.type ||
         std::find(use.components.begin(), use.components.end(), component) == use.components.end())
-        return Issue{IssueCode::glb_accessor_type, "",
-                     fmt::format("type {} with component type {} does not fit here", accessor.type_name,
-                                 accessor.component)};
+        return Issue{
+            IssueCode::glb_accessor_type, "",
+            fmt::format("expected {} of {}, found {} of {}", type_name(use.type),
+                        component_names(use.components), accessor.type_name, component_name(component))};
     if (accessor.count == 0)
         return Issue{IssueCode::glb_accessor_count, "", "expected at least one element, found 0"};
     Source source;

@@ -39,7 +39,7 @@ base::Status read_filter(const std::string& name, MeshoptFilter& filter) {
         filter = MeshoptFilter::exponential;
     else if (name == "COLOR")
         return Issue{IssueCode::glb_extension, "",
-                     "this posepack does not read the filter COLOR of KHR_meshopt_compression"};
+                     "expected a filter of EXT_meshopt_compression, found COLOR of KHR_meshopt_compression"};
     else
         return Issue{
             IssueCode::glb_meshopt, "",
@@ -52,7 +52,9 @@ base::Status read_filter(const std::string& name, MeshoptFilter& filter) {
 
 base::Result<ByteSpan> BufferViews::buffer(std::uint64_t index) {
     if (index >= gltf_.facts.buffers.size())
-        return Issue{IssueCode::glb_reference, "", fmt::format("buffer {} does not exist", index)};
+        return Issue{
+            IssueCode::glb_reference, "",
+            fmt::format("expected one of {} buffers, found index {}", gltf_.facts.buffers.size(), index)};
     const BufferFacts& facts = gltf_.facts.buffers[index];
     if (facts.is_fallback && (facts.has_uri || index > 0))
         return Issue{
@@ -69,15 +71,14 @@ base::Result<ByteSpan> BufferViews::buffer(std::uint64_t index) {
             bytes = data_uris_.emplace(index, std::move(decoded).value()).first->second;
         }
     } else if (index > 0 || bytes.empty()) {
-        return Issue{
-            IssueCode::glb_uri, "",
-            fmt::format("buffer {} has no uri, and {}", index,
-                        index > 0 ? "only the first one may be the BIN chunk" : "there is no BIN chunk")};
+        return Issue{IssueCode::glb_uri, "",
+                     fmt::format("expected the BIN chunk or a uri for buffer {}, found {}", index,
+                                 index > 0 ? "neither (only buffer 0 is the BIN chunk)" : "no BIN chunk")};
     }
     if (facts.byte_length > static_cast<double>(bytes.size()))
-        return Issue{
-            IssueCode::glb_view_range, "",
-            fmt::format("buffer {} declares {} bytes, found {}", index, facts.byte_length, bytes.size())};
+        return Issue{IssueCode::glb_view_range, "",
+                     fmt::format("expected the {} bytes that buffer {} declares, found {}", facts.byte_length,
+                                 index, bytes.size())};
     return bytes.first(static_cast<std::size_t>(facts.byte_length));
 }
 
@@ -87,9 +88,10 @@ base::Result<ByteSpan> BufferViews::slice(std::uint64_t buffer_index, std::uint6
     if (!whole) return whole.issue();
     const std::size_t size = whole.value().size();
     if (offset_bytes > size || length_bytes > size - offset_bytes)
-        return Issue{IssueCode::glb_view_range, "",
-                     fmt::format("{} bytes from {} on leave the buffer of {} bytes", length_bytes,
-                                 offset_bytes, size)};
+        return Issue{
+            IssueCode::glb_view_range, "",
+            fmt::format("expected a range within the buffer's {} bytes, found {} bytes from byte {} on", size,
+                        length_bytes, offset_bytes)};
     return whole.value().subspan(offset_bytes, length_bytes);
 }
 
@@ -99,7 +101,8 @@ base::Result<MeshoptStream> BufferViews::stream_of(const ViewFacts& view) {
     if (auto status = read_mode(facts.mode, stream.mode); !status) return status.issue();
     if (auto status = read_filter(facts.filter, stream.filter); !status) return status.issue();
     if (facts.count == kMissing || facts.stride_bytes == kMissing || facts.length_bytes == kMissing)
-        return Issue{IssueCode::glb_meshopt, "", "expected count, byteStride and byteLength of the stream"};
+        return Issue{IssueCode::glb_meshopt, "",
+                     "expected count, byteStride and byteLength of the stream, found at least one missing"};
     // A division, so that nothing wraps.
     if (facts.count == 0 || facts.stride_bytes == 0 || view.length_bytes % facts.stride_bytes != 0 ||
         view.length_bytes / facts.stride_bytes != facts.count)
@@ -129,7 +132,9 @@ base::Result<ByteSpan> BufferViews::decode(const ViewFacts& view, std::uint64_t 
 
 base::Result<ByteSpan> BufferViews::bytes(std::uint64_t view_index) {
     if (view_index >= gltf_.facts.views.size())
-        return Issue{IssueCode::glb_reference, "", fmt::format("buffer view {} does not exist", view_index)};
+        return Issue{IssueCode::glb_reference, "",
+                     fmt::format("expected one of {} buffer views, found index {}", gltf_.facts.views.size(),
+                                 view_index)};
     const ViewFacts& view = gltf_.facts.views[view_index];
     auto found = view.compression ? decode(view, view_index)
                                   : slice(view.buffer, view.offset_bytes, view.length_bytes);

@@ -23,10 +23,11 @@ int sextet(char letter) {
 base::Result<std::vector<std::uint8_t>> decode_data_uri(std::string_view uri, DecodeBudget& budget) {
     const std::size_t comma = uri.find(',');
     if (comma == std::string_view::npos || !uri.substr(0, comma).ends_with(";base64"))
-        return Issue{IssueCode::glb_uri, "", "expected a data URI in base64"};
+        return Issue{IssueCode::glb_uri, "", "expected a data URI in base64, found another encoding"};
     std::string_view text = uri.substr(comma + 1);
     while (text.ends_with('=')) text.remove_suffix(1);
-    if (text.size() % 4 == 1) return Issue{IssueCode::glb_uri, "", "the base64 text is cut off"};
+    if (text.size() % 4 == 1)
+        return Issue{IssueCode::glb_uri, "", "expected whole groups of base64 letters, found a cut-off end"};
     const std::size_t size = text.size() / 4 * 3 + (text.size() % 4 == 0 ? 0 : text.size() % 4 - 1);
     if (auto status = budget.take(1, size); !status) return status.issue();
     std::vector<std::uint8_t> out;
@@ -36,7 +37,8 @@ base::Result<std::vector<std::uint8_t>> decode_data_uri(std::string_view uri, De
         const int value = sextet(text[i]);
         if (value < 0)
             return Issue{IssueCode::glb_uri, "",
-                         fmt::format("letter {} of the data URI is no base64", comma + 1 + i)};
+                         fmt::format("expected letters of base64, found another as letter {} of the data URI",
+                                     comma + 1 + i)};
         bits = bits << 6 | static_cast<std::uint32_t>(value);
         if (i % 4 == 3)
             for (int shift = 16; shift >= 0; shift -= 8)

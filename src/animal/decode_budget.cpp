@@ -14,9 +14,10 @@ base::Status DecodeBudget::take(std::uint64_t count, std::uint64_t element_bytes
     const auto refuse = [&] {
         return base::Issue{
             base::IssueCode::lim_decoded, "",
-            fmt::format("{} elements of {} bytes go over {} bytes, what a file of this size may "
-                        "ask for ({} are taken), or over {} elements",
-                        count, element_bytes, limit_bytes_, used_bytes_, kMaxElements)};
+            fmt::format(
+                "expected at most {} bytes of decoded data in a file of this size, and {} elements, found "
+                "{} elements of {} bytes behind {} bytes",
+                limit_bytes_, kMaxElements, count, element_bytes, used_bytes_)};
     };
     if (count > kMaxElements) return refuse();
     if (element_bytes > 0 && count > (limit_bytes_ - used_bytes_) / element_bytes) return refuse();

@@ -41,7 +41,7 @@ base::Result<StreamFacts> read_header(std::span<const std::uint8_t> bytes) {
     buffer.Init(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     draco::DracoHeader header;
     if (!draco::PointCloudDecoder::DecodeHeader(&buffer, &header).ok())
-        return malformed("expected a stream that begins with 'DRACO'");
+        return malformed("expected a stream that begins with 'DRACO', found another beginning");
     if (header.version_major != kBitstreamMajor || header.version_minor != kBitstreamMinor)
         return malformed(
             fmt::format("expected bitstream 2.2, found {}.{}", header.version_major, header.version_minor));
@@ -52,7 +52,7 @@ base::Result<StreamFacts> read_header(std::span<const std::uint8_t> bytes) {
     if ((header.flags & METADATA_FLAG_MASK) != 0) {
         draco::GeometryMetadata metadata;
         if (!draco::MetadataDecoder().DecodeGeometryMetadata(&buffer, &metadata))
-            return malformed("the metadata does not decode");
+            return malformed("expected metadata of Draco, found bytes that do not decode");
     }
     StreamFacts facts;
     facts.method = header.encoder_method;
@@ -65,9 +65,9 @@ base::Result<StreamFacts> read_header(std::span<const std::uint8_t> bytes) {
         is_read = buffer.Decode(&traversal) && draco::DecodeVarint(&facts.point_count, &buffer) &&
                   draco::DecodeVarint(&facts.face_count, &buffer);
     } else {
-        return malformed(fmt::format("unknown encoding method {}", facts.method));
+        return malformed(fmt::format("expected encoding method 0 or 1, found {}", facts.method));
     }
-    if (!is_read) return malformed("the header is cut off");
+    if (!is_read) return malformed("expected a whole header, found a cut-off one");
     return facts;
 }
 
@@ -75,8 +75,10 @@ base::Status check_limits(const StreamFacts& facts, const DracoLimits& limits) {
     if (facts.face_count <= limits.face_count && facts.point_count <= limits.point_count) return {};
     return Issue{
         IssueCode::lim_decoded, "",
-        fmt::format("the Draco stream asks for {} points and {} faces, its accessors declare {} and {}",
-                    facts.point_count, facts.face_count, limits.point_count, limits.face_count)};
+        fmt::format(
+            "expected at most the {} points and {} faces that the accessors declare, found {} and {} in "
+            "the Draco stream",
+            limits.point_count, limits.face_count, facts.point_count, facts.face_count)};
 }
 
 // A decoder that looks at what the attributes ask for before it makes room for them. An edgebreaker stream
@@ -98,9 +100,12 @@ class BoundedDecoder final : public Decoder {
  private:
     base::Status check(const draco::PointCloud& cloud) {
         if (cloud.num_points() > limits_.point_count)
-            return Issue{IssueCode::lim_decoded, "",
-                         fmt::format("the Draco stream asks for {} points, its accessors declare {}",
-                                     cloud.num_points(), limits_.point_count)};
+            return Issue{
+                IssueCode::lim_decoded, "",
+                fmt::format(
+                    "expected at most the {} points that the accessors declare, found {} in the Draco "
+                    "stream",
+                    limits_.point_count, cloud.num_points())};
         for (int a = 0; a < cloud.num_attributes(); ++a) {
             const draco::PointAttribute& attribute = *cloud.attribute(a);
             const int value_bytes = std::max(4, draco::DataTypeLength(attribute.data_type()));
@@ -130,7 +135,8 @@ base::Status decode_with(std::span<const std::uint8_t> bytes, const DracoLimits&
         reason = exception.what();
     }
     if (!decoder.refusal) return decoder.refusal;
-    return malformed(fmt::format("the stream does not decode{}{}", reason.empty() ? "" : ": ", reason));
+    return malformed(fmt::format("expected a Draco stream, found one that does not decode{}{}",
+                                 reason.empty() ? "" : ": ", reason));
 }
 
 template <class T>
@@ -196,10 +202,11 @@ std::size_t DracoMesh::point_count() const {
 base::Result<std::vector<std::uint8_t>> DracoMesh::values(std::uint32_t unique_id, int component,
                                                           std::size_t components) const {
     const draco::PointAttribute* attribute = body_->mesh.GetAttributeByUniqueId(unique_id);
-    if (attribute == nullptr) return malformed(fmt::format("the stream has no attribute {}", unique_id));
+    if (attribute == nullptr)
+        return malformed(fmt::format("expected attribute {} in the Draco stream, found none", unique_id));
     if (attribute->num_components() != components)
-        return malformed(fmt::format("attribute {} has {} components, its accessor {}", unique_id,
-                                     attribute->num_components(), components));
+        return malformed(fmt::format("expected {} components of attribute {}, as its accessor has, found {}",
+                                     components, unique_id, attribute->num_components()));
     std::vector<std::uint8_t> out(point_count() * components * component_bytes(component));
     if (!copy_as(component, *attribute, point_count(), out.data()))
         return malformed(

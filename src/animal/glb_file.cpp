@@ -33,11 +33,12 @@ base::Status check_header(std::span<const std::uint8_t> bytes) {
         return Issue{IssueCode::glb_version, "", fmt::format("expected GLB version 2, found {}", version)};
     const std::uint32_t length = read_u32(bytes, 8);
     if (length > bytes.size())
-        return Issue{IssueCode::glb_length, "",
-                     fmt::format("the header declares {} bytes, found {}", length, bytes.size())};
+        return Issue{
+            IssueCode::glb_length, "",
+            fmt::format("expected the {} bytes that the header declares, found {}", length, bytes.size())};
     if (length < kHeaderBytes + kChunkHeaderBytes)
         return Issue{IssueCode::glb_truncated, "",
-                     fmt::format("expected a JSON chunk, but the header declares only {} bytes", length)};
+                     fmt::format("expected a JSON chunk, found a declared length of {} bytes", length)};
     if (length < bytes.size())
         return Issue{
             IssueCode::glb_trailing, "",
@@ -61,9 +62,9 @@ base::Result<GlbFile> split_glb(std::span<const std::uint8_t> bytes) {
         const std::uint32_t type = read_u32(bytes, offset + 4);
         offset += kChunkHeaderBytes;
         if (size > bytes.size() - offset)
-            return Issue{
-                IssueCode::glb_chunk, where,
-                fmt::format("the chunk declares {} bytes, but {} are left", size, bytes.size() - offset)};
+            return Issue{IssueCode::glb_chunk, where,
+                         fmt::format("expected the {} bytes that the chunk declares, found {}", size,
+                                     bytes.size() - offset)};
         if ((chunk == 0) != (type == kJsonType))
             return Issue{
                 IssueCode::glb_chunk, where,
@@ -72,7 +73,8 @@ base::Result<GlbFile> split_glb(std::span<const std::uint8_t> bytes) {
         if (chunk == 0)
             file.json = {reinterpret_cast<const char*>(payload.data()), payload.size()};
         else if (type == kBinType && chunk != 1)
-            return Issue{IssueCode::glb_chunk, where, "expected at most one BIN chunk, right after the JSON"};
+            return Issue{IssueCode::glb_chunk, where,
+                         "expected at most one BIN chunk, right after the JSON, found another"};
         else if (type == kBinType)
             file.bin = payload;
         else

@@ -275,8 +275,9 @@ base::Result<GltfFacts> read_gltf_facts(std::string_view json, bool allow_data_u
     if (!facts.root_is_object)
         return Issue{IssueCode::glb_json, "", "expected a JSON object as the root, found another value"};
     if (!facts.unknown_extension.empty())
-        return Issue{IssueCode::glb_extension, "extensionsRequired",
-                     fmt::format("this posepack does not read {}", facts.unknown_extension)};
+        return Issue{
+            IssueCode::glb_extension, "extensionsRequired",
+            fmt::format("expected extensions that posepack reads, found {}", facts.unknown_extension)};
     if (auto status = check_buffers(facts, allow_data_uris); !status) return status.issue();
     if (!storage) return storage.issue();
     return std::move(visitor.facts);

@@ -47,7 +47,7 @@ base::Status check_shape(const MeshoptStream& stream) {
     } else if (stride != 2 && stride != 4) {
         return malformed(fmt::format("expected a stride of 2 or 4 bytes for indices, found {}", stride));
     } else if (is_filtered) {
-        return malformed("expected no filter on indices");
+        return malformed("expected no filter on indices, found one");
     }
     if (stream.mode == MeshoptMode::triangles && stream.count % 3 != 0)
         return malformed(
@@ -98,21 +98,24 @@ base::Status check_meshopt(const MeshoptStream& stream) {
         return malformed(fmt::format("expected a stream of {} that begins with 0x{:02x}, found 0x{:02x}",
                                      mode.name, mode.header, header));
     if ((header & 0x0F) > mode.newest_version)
-        return Issue{IssueCode::glb_extension, "",
-                     fmt::format("this posepack does not read {} of version {} (0x{:02x}), which "
-                                 "KHR_meshopt_compression has and EXT_meshopt_compression has not",
-                                 mode.name, header & 0x0F, header)};
+        return Issue{
+            IssueCode::glb_extension, "",
+            fmt::format("expected a version of EXT_meshopt_compression, found {} of version {} (0x{:02x}), "
+                        "which only KHR_meshopt_compression has",
+                        mode.name, header & 0x0F, header)};
     // Divisions keep a count of any size from wrapping.
     if (stream.count / 64 > stream.bytes.size() || fewest_bytes(stream) > stream.bytes.size())
-        return malformed(fmt::format("{} elements of {} bytes cannot come from a stream of {} bytes",
-                                     stream.count, stream.stride_bytes, stream.bytes.size()));
+        return malformed(
+            fmt::format("expected a stream long enough for {} elements of {} bytes, found {} bytes",
+                        stream.count, stream.stride_bytes, stream.bytes.size()));
     return {};
 }
 
 base::Status decode_meshopt(const MeshoptStream& stream, std::span<std::uint8_t> out) {
     if (const int code = decode_raw(stream, out.data()); code != 0)
-        return malformed(fmt::format("the stream of {} does not decode (meshoptimizer: {})",
-                                     facts_of(stream.mode).name, code));
+        return malformed(
+            fmt::format("expected a stream of {}, found one that does not decode (meshoptimizer: {})",
+                        facts_of(stream.mode).name, code));
     switch (stream.filter) {
         case MeshoptFilter::none:
             break;

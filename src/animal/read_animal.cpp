@@ -38,8 +38,9 @@ base::Result<Animal> read_animal(std::span<const std::uint8_t> bytes, const Read
     if (animal.bones.empty())
         return Issue{IssueCode::glb_no_mesh, "nodes", "expected a node with a mesh, found none"};
     if (animal.vertices.positions.empty())
-        return Issue{IssueCode::glb_no_mesh, "meshes",
-                     "no mesh has vertices with positions, or joints and weights where it is skinned"};
+        return Issue{
+            IssueCode::glb_no_mesh, "meshes",
+            "expected a mesh with positions, and joints and weights where it is skinned, found none"};
     return animal;
 }
 

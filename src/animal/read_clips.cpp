@@ -9,6 +9,7 @@
 
 #include "animal/names.hpp"
 #include "animal/read_parts.hpp"
+#include "base/text.hpp"
 
 namespace posepack::animal {
 namespace {
@@ -31,12 +32,12 @@ base::Status check_times(std::span<const float> times, const Place& place, ClipR
     for (std::size_t k = 0; k < times.size(); ++k) {
         if (times[k] < 0.0f)
             return Issue{IssueCode::glb_times, place.text(),
-                         fmt::format("key {} is at {} s, expected 0 or later", k, times[k])};
+                         fmt::format("expected key times from 0 s on, found key {} at {} s", k, times[k])};
         if (k == 0) continue;
         if (times[k] < times[k - 1])
-            return Issue{
-                IssueCode::glb_times, place.text(),
-                fmt::format("key {} at {} s comes before key {} at {} s", k, times[k], k - 1, times[k - 1])};
+            return Issue{IssueCode::glb_times, place.text(),
+                         fmt::format("expected rising key times, found key {} at {} s behind {} s", k,
+                                     times[k], times[k - 1])};
         if (static_cast<double>(times[k]) - times[k - 1] < kEqualTimesS) ++repairs.equal_times;
     }
     return {};
@@ -55,7 +56,9 @@ base::Status check_rotations(std::span<float> values, bool cubic, const Place& p
         if (sum > kLow && sum < kHigh) continue;
         const double length = std::sqrt(sum);
         if (length < 1e-6)
-            return Issue{IssueCode::glb_quat, place.text(), fmt::format("rotation key {} is zero", k)};
+            return Issue{IssueCode::glb_quat, place.text(),
+                         fmt::format("expected unit quaternions, found rotation key {} with length {:.3g}", k,
+                                     length)};
         if (std::abs(length - 1.0) > kUnitTolerance) {
             ++repairs.not_unit;
             for (int c = 0; c < 4; ++c) q[c] = static_cast<float>(q[c] / length);
@@ -96,7 +99,8 @@ class ChannelReader {
             channel.interpolation = Interpolation::cubic_spline;
         else
             return Issue{IssueCode::glb_channel, place.text(),
-                         fmt::format("unknown interpolation '{}'", name.substr(0, 64))};
+                         fmt::format("expected interpolation LINEAR, STEP or CUBICSPLINE, found '{}'",
+                                     name.substr(0, 64))};
         return {};
     }
 
@@ -237,9 +241,12 @@ class ClipReader {
                          std::move(detail)};
         };
         if (static_cast<std::size_t>(aim.node) >= context_.animal.nodes.size())
-            return refuse(IssueCode::glb_reference, fmt::format("node {} does not exist", aim.node));
+            return refuse(IssueCode::glb_reference,
+                          fmt::format("expected one of {} nodes as target, found index {}",
+                                      context_.animal.nodes.size(), aim.node));
         if (aim.sampler < 0 || static_cast<std::size_t>(aim.sampler) >= samplers.size())
-            return refuse(IssueCode::glb_channel, fmt::format("sampler {} does not exist", aim.sampler));
+            return refuse(IssueCode::glb_channel, fmt::format("expected one of {} samplers, found index {}",
+                                                              samplers.size(), aim.sampler));
         Channel channel;
         channel.node = static_cast<std::uint32_t>(aim.node);
         channel.path = aim.path;
@@ -249,8 +256,11 @@ class ClipReader {
             !status)
             return status;
         if (context_.animal.nodes[channel.node].has_matrix)
-            return refuse(IssueCode::glb_channel,
-                          fmt::format("node {} has a matrix and must not be animated", channel.node));
+            return refuse(
+                IssueCode::glb_channel,
+                fmt::format("expected a target node with translation, rotation and scale, found node {} "
+                            "with a matrix",
+                            channel.node));
         targets_.add(clip, channel, repairs);
         return {};
     }
@@ -264,18 +274,21 @@ base::Status report_repairs(ReadContext& context, const ClipRepairs& repairs, co
     if (repairs.equal_times > 0)
         if (auto s = context.repair(
                 IssueCode::warn_times, IssueCode::glb_times, where,
-                fmt::format("{} keys lie within 1e-6 s of the key before", repairs.equal_times));
+                fmt::format("expected keys at least 1e-6 s apart, found {} nearer to the one before",
+                            base::counted(repairs.equal_times, "key")));
             !s)
             return s;
     if (repairs.not_unit > 0)
         if (auto s = context.repair(IssueCode::warn_quat, IssueCode::glb_quat, where,
-                                    fmt::format("{} rotation keys are not of unit length", repairs.not_unit));
+                                    fmt::format("expected unit quaternions, found {} of another length",
+                                                base::counted(repairs.not_unit, "rotation key")));
             !s)
             return s;
     if (repairs.doubled > 0)
-        if (auto s = context.repair(
-                IssueCode::warn_channel, IssueCode::glb_channel, where,
-                fmt::format("{} channels move a target that another one moves", repairs.doubled));
+        if (auto s =
+                context.repair(IssueCode::warn_channel, IssueCode::glb_channel, where,
+                               fmt::format("expected one channel a target, found {} on the target of another",
+                                           base::counted(repairs.doubled, "channel")));
             !s)
             return s;
     return {};
@@ -303,10 +316,10 @@ base::Status refuse_without_clips(const tinygltf::Model& model) {
         for (const auto& channel : animation.channels) morphs = morphs || channel.target_path == "weights";
     if (morphs)
         return Issue{IssueCode::glb_morph_only, "animations",
-                     "every channel moves morph targets, none moves a node"};
-    return Issue{
-        IssueCode::glb_no_animation, "animations",
-        fmt::format("{} animations, none with a channel that moves a node", model.animations.size())};
+                     "expected a channel that moves a node, found morph targets only"};
+    return Issue{IssueCode::glb_no_animation, "animations",
+                 fmt::format("expected a channel that moves a node, found none in {} animations",
+                             model.animations.size())};
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "animal/read_parts.hpp"
 #include "animal/read_primitive.hpp"
 #include "animal/weights.hpp"
+#include "base/text.hpp"
 
 namespace posepack::animal {
 namespace {
@@ -15,20 +16,22 @@ base::Status report_repairs(ReadContext& context, const WeightRepairs& repairs, 
     const auto repair = [&](std::uint32_t count, const std::string& what) -> base::Status {
         if (count == 0) return {};
         return context.repair(IssueCode::warn_weights, IssueCode::glb_weights, where,
-                              fmt::format("{} vertices {}", count, what));
+                              fmt::format("expected weights of 0 or more that sum to 1, found {} {}",
+                                          base::counted(count, "vertex", "vertices"), what));
     };
     if (repairs.hopeless)
         return Issue{IssueCode::glb_weights, where,
-                     "expected weights on nearly all vertices, most have none that can be used"};
-    if (auto s = repair(repairs.bad, "have NaN, infinite or negative weights: zeroed"); !s) return s;
-    if (auto s = repair(repairs.none_left, "have no weight: took those of the nearest good vertex"); !s)
+                     "expected weights on nearly all vertices, found most without any that can be used"};
+    if (auto s = repair(repairs.bad, "with NaN, infinite or negative weights: zeroed"); !s) return s;
+    if (auto s = repair(repairs.none_left, "with no weight: took those of the nearest good vertex"); !s)
         return s;
-    if (auto s = repair(repairs.sum_not_one, "have weights that do not sum to 1: renormalised"); !s) return s;
+    if (auto s = repair(repairs.sum_not_one, "with another sum: renormalised"); !s) return s;
     if (repairs.truncated == 0) return {};
     return context.repair(
         IssueCode::warn_influences, IssueCode::glb_weights, where,
-        fmt::format("{} vertices have more than 4 influences: up to {:.3g} of a vertex's weight dropped",
-                    repairs.truncated, repairs.truncated_weight_max));
+        fmt::format(
+            "expected at most 4 influences, found {} with more: up to {:.3g} of a vertex's weight dropped",
+            base::counted(repairs.truncated, "vertex", "vertices"), repairs.truncated_weight_max));
 }
 
 base::Status append(ReadContext& context, const Primitive& primitive, const std::string& where) {
@@ -50,13 +53,15 @@ void note_left_out(ReadContext& context) {
     const bool is_rigid = !context.animal.meshes.empty() && context.animal.meshes.front().skin == kNone;
     if (rigid_meshes > 0 && !is_rigid)
         context.note(IssueCode::warn_left_out, "nodes",
-                     fmt::format("{} rigid meshes (without a skin) are not in the palette", rigid_meshes));
+                     fmt::format("{} without a skin: not in the palette",
+                                 base::counted(rigid_meshes, "rigid mesh", "rigid meshes")));
     std::uint32_t morphed = 0;
     for (const auto& mesh : model.meshes)
         for (const auto& primitive : mesh.primitives) morphed += primitive.targets.empty() ? 0 : 1;
     if (morphed > 0)
-        context.note(IssueCode::warn_left_out, "meshes",
-                     fmt::format("morph targets of {} primitives are not in the palette", morphed));
+        context.note(
+            IssueCode::warn_left_out, "meshes",
+            fmt::format("morph targets of {}: not in the palette", base::counted(morphed, "primitive")));
 }
 
 base::Status read_mesh(ReadContext& context, Mesh& mesh) {

@@ -29,10 +29,11 @@ base::Status read_rest(ReadContext& context, const tinygltf::Node& source, const
     if (!sized(source.translation, 3) || !sized(source.rotation, 4) || !sized(source.scale, 3) ||
         !sized(source.matrix, 16))
         return Issue{IssueCode::glb_schema, where,
-                     "a translation, rotation, scale or matrix has the wrong length"};
+                     "expected 3 numbers of translation and scale, 4 of rotation, 16 of a matrix, found "
+                     "another count"};
     if (!finite(source.translation) || !finite(source.rotation) || !finite(source.scale) ||
         !finite(source.matrix))
-        return Issue{IssueCode::glb_number, where, "a transform holds NaN or infinity"};
+        return Issue{IssueCode::glb_number, where, "expected finite transforms, found NaN or infinity"};
     if (!source.matrix.empty()) {
         node.has_matrix = true;
         for (int c = 0; c < 4; ++c)
@@ -40,7 +41,8 @@ base::Status read_rest(ReadContext& context, const tinygltf::Node& source, const
                 node.matrix[c][r] = source.matrix[static_cast<std::size_t>(c * 4 + r)];
         for (int c = 0; c < 4; ++c)
             if (std::abs(node.matrix[c][3] - (c == 3 ? 1.0 : 0.0)) > kAffineTolerance)
-                return Issue{IssueCode::glb_ibm, where, "the matrix' last row is not 0 0 0 1"};
+                return Issue{IssueCode::glb_ibm, where,
+                             "expected an affine matrix (last row 0 0 0 1), found another last row"};
         return {};
     }
     if (!source.translation.empty())
@@ -49,11 +51,14 @@ base::Status read_rest(ReadContext& context, const tinygltf::Node& source, const
     if (source.rotation.empty()) return {};
     const glm::dvec4 q{source.rotation[0], source.rotation[1], source.rotation[2], source.rotation[3]};
     const double length = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
-    if (length < 1e-6) return Issue{IssueCode::glb_quat, where, "the rotation is zero"};
+    if (length < 1e-6)
+        return Issue{IssueCode::glb_quat, where,
+                     fmt::format("expected a unit quaternion, found a rotation of length {:.3g}", length)};
     node.rest.rotation = q / length;
     if (std::abs(length - 1.0) > kUnitTolerance)
-        return context.repair(IssueCode::warn_quat, IssueCode::glb_quat, where,
-                              fmt::format("a rotation has length {:.4g}, expected 1", length));
+        return context.repair(
+            IssueCode::warn_quat, IssueCode::glb_quat, where,
+            fmt::format("expected a unit quaternion, found a rotation of length {:.4g}", length));
     return {};
 }
 
@@ -63,11 +68,14 @@ base::Status link_children(ReadContext& context) {
         for (const int child : context.model().nodes[i].children) {
             const std::string where = fmt::format("nodes/{}/children", i);
             if (child < 0 || static_cast<std::size_t>(child) >= nodes.size())
-                return Issue{IssueCode::glb_reference, where, fmt::format("node {} does not exist", child)};
+                return Issue{
+                    IssueCode::glb_reference, where,
+                    fmt::format("expected children among {} nodes, found index {}", nodes.size(), child)};
             Node& target = nodes[static_cast<std::size_t>(child)];
             if (target.parent != kNone)
                 return Issue{IssueCode::glb_node_loop, where,
-                             fmt::format("node {} is a child of nodes {} and {}", child, target.parent, i)};
+                             fmt::format("expected one parent for node {}, found nodes {} and {}", child,
+                                         target.parent, i)};
             target.parent = static_cast<std::uint32_t>(i);
         }
     return {};
@@ -84,7 +92,7 @@ base::Status order_nodes(ReadContext& context) {
         const std::uint32_t parent = order[next];
         if (depth[parent] >= kMaxNodeDepth)
             return Issue{IssueCode::lim_node_depth, fmt::format("nodes/{}", parent),
-                         fmt::format("expected nodes at most {} deep", kMaxNodeDepth)};
+                         fmt::format("expected nodes at most {} deep, found deeper ones", kMaxNodeDepth)};
         for (const int child : context.model().nodes[parent].children) {
             depth[static_cast<std::size_t>(child)] = depth[parent] + 1;
             order.push_back(static_cast<std::uint32_t>(child));
@@ -96,7 +104,7 @@ base::Status order_nodes(ReadContext& context) {
     std::uint32_t on_cycle = 0;
     while (reached[on_cycle]) ++on_cycle;
     return Issue{IssueCode::glb_node_loop, fmt::format("nodes/{}", on_cycle),
-                 "following its parents never ends: the hierarchy has a cycle"};
+                 "expected parents that end at a root, found a cycle"};
 }
 
 }  // namespace

@@ -162,9 +162,9 @@ class PrimitiveReader {
             const float weight = weights.value()[i];
             // An unused influence may hold anything (the weight says it is unused).
             if (joint >= joint_map.size() && weight != 0.0f)
-                return Issue{
-                    IssueCode::glb_joint_index, place(kJoints[set]).text(),
-                    fmt::format("vertex {} names joint {}, the skin has {}", i / 4, joint, joint_map.size())};
+                return Issue{IssueCode::glb_joint_index, place(kJoints[set]).text(),
+                             fmt::format("expected joints below {}, found {} at vertex {}", joint_map.size(),
+                                         joint, i / 4)};
             const std::size_t slot = i / 4 * out_.influences + set * 4 + i % 4;
             out_.bones[slot] = joint < joint_map.size() ? joint_map[joint] : std::uint16_t{0};
             out_.weights[slot] = weight;

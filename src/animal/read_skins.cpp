@@ -38,7 +38,9 @@ base::Result<std::vector<glm::dmat4>> read_inverse_binds(ReadContext& context, c
                 const double value = floats.value()[j * 16 + static_cast<std::size_t>(c * 4 + r)];
                 if (r == 3 && std::abs(value - (c == 3 ? 1.0 : 0.0)) > kAffineTolerance)
                     return Issue{IssueCode::glb_ibm, where,
-                                 fmt::format("inverse bind matrix {} has a last row that is not 0 0 0 1", j)};
+                                 fmt::format("expected affine matrices (last row 0 0 0 1), found matrix {} "
+                                             "with {:.6g} in that row",
+                                             j, value)};
                 matrices[j][c][r] = r == 3 ? (c == 3 ? 1.0 : 0.0) : value;
             }
     return matrices;
@@ -75,12 +77,13 @@ base::Result<SkinBones> read_skin(ReadContext& context, int index,
         if (node < 0 || static_cast<std::size_t>(node) >= animal.nodes.size())
             return Issue{
                 IssueCode::glb_skin_joint, where,
-                fmt::format("joint {} is node {}, the file has {} nodes", j, node, animal.nodes.size())};
+                fmt::format("expected joints below {}, the count of nodes, found node {} as joint {}",
+                            animal.nodes.size(), node, j)};
         const std::uint32_t bone =
             bone_of(animal, by_node, static_cast<std::uint32_t>(node), inverse_binds.value()[j]);
         if (bone >= kMaxBones)
             return Issue{IssueCode::lim_bones, where,
-                         fmt::format("expected at most {} bones together", kMaxBones)};
+                         fmt::format("expected at most {} bones together, found more", kMaxBones)};
         animal.joint_map.push_back(static_cast<std::uint16_t>(bone));
     }
     return bones;
@@ -106,10 +109,12 @@ base::Status read_rigid_meshes(ReadContext& context) {
         const std::string where = fmt::format("nodes/{}", n);
         if (mesh_index < 0) continue;
         if (static_cast<std::size_t>(mesh_index) >= model.meshes.size())
-            return Issue{IssueCode::glb_reference, where, fmt::format("mesh {} does not exist", mesh_index)};
+            return Issue{
+                IssueCode::glb_reference, where,
+                fmt::format("expected one of {} meshes, found index {}", model.meshes.size(), mesh_index)};
         if (animal.bones.size() >= kMaxBones)
             return Issue{IssueCode::lim_bones, where,
-                         fmt::format("expected at most {} nodes with a mesh", kMaxBones)};
+                         fmt::format("expected at most {} nodes with a mesh, found more", kMaxBones)};
         Bone bone;
         bone.name = animal.nodes[n].name;
         bone.node = static_cast<std::uint32_t>(n);
@@ -138,9 +143,13 @@ base::Status read_skinned_meshes(ReadContext& context) {
         const std::string where = fmt::format("nodes/{}", n);
         if (node.mesh < 0 || node.skin < 0) continue;
         if (static_cast<std::size_t>(node.mesh) >= model.meshes.size())
-            return Issue{IssueCode::glb_reference, where, fmt::format("mesh {} does not exist", node.mesh)};
+            return Issue{
+                IssueCode::glb_reference, where,
+                fmt::format("expected one of {} meshes, found index {}", model.meshes.size(), node.mesh)};
         if (static_cast<std::size_t>(node.skin) >= model.skins.size())
-            return Issue{IssueCode::glb_reference, where, fmt::format("skin {} does not exist", node.skin)};
+            return Issue{
+                IssueCode::glb_reference, where,
+                fmt::format("expected one of {} skins, found index {}", model.skins.size(), node.skin)};
         if (!skins.contains(node.skin)) {
             const auto bones = read_skin(context, node.skin, by_node);
             if (!bones) return bones.issue();

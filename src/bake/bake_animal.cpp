@@ -63,9 +63,9 @@ base::Status plan_clips(const Animal& animal, const std::vector<ClipChoice>& cho
         out.stride_phase = choice.stride_phase;
         rows += out.plan.row_count;
         if (rows > POSEPACK_MAX_ROWS)
-            return Issue{
-                IssueCode::lim_rows, clip.name,
-                fmt::format("expected at most {} rows, the clips so far need {}", POSEPACK_MAX_ROWS, rows)};
+            return Issue{IssueCode::lim_rows, clip.name,
+                         fmt::format("expected at most {} rows, found {} in the clips up to this one",
+                                     POSEPACK_MAX_ROWS, rows)};
         findings.insert(findings.end(), out.plan.remarks.begin(), out.plan.remarks.end());
         palette.clips.push_back(std::move(out));
     }
@@ -87,15 +87,16 @@ base::Status sample_clips(const Animal& animal, Palette& palette) {
                 return Issue{
                     half ? IssueCode::lim_half_range : IssueCode::lim_float_range,
                     animal.clips[clip.source].name,
-                    fmt::format(
-                        "expected values up to {:.6g}, bone '{}' leaves that range at row {} ({:.4g} s)",
-                        half ? 65504.0 : 3.4e38, animal.bones[bad].name, row, clip.plan.row_time_s(row))};
+                    fmt::format("expected values up to {:.6g}, found bone '{}' beyond at row {} ({:.4g} s)",
+                                half ? 65504.0 : 3.4e38, animal.bones[bad].name, row,
+                                clip.plan.row_time_s(row))};
             }
             boxes.add(stored, clip.bounds);
         }
         if (!clip.bounds.fits_floats())
-            return Issue{IssueCode::lim_float_range, animal.clips[clip.source].name,
-                         "expected bounds that fit 32-bit floats, the skinned mesh leaves their range"};
+            return Issue{
+                IssueCode::lim_float_range, animal.clips[clip.source].name,
+                "expected bounds that fit 32-bit floats, found a skinned mesh that leaves their range"};
     }
     palette.pixels = encoder.finish();
     return {};
@@ -116,7 +117,7 @@ base::Result<Palette> make_palette(const recipe::AnimalEntry& entry, const Anima
     if (const auto radius_m = static_cast<float>(palette.radius * palette.metres_per_unit);
         !(radius_m > 0.0f) || !std::isfinite(radius_m))
         return Issue{IssueCode::glb_no_extent, "",
-                     fmt::format("expected a rest pose with a size, its radius is {:.3g} m", radius_m)};
+                     fmt::format("expected a rest pose with a size, found a radius of {:.3g} m", radius_m)};
     if (auto status = plan_clips(animal, choices.value(), points, palette, findings); !status)
         return status.issue();
     const palette::PaletteClip& last = palette.clips.back();

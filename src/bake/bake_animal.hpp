@@ -29,8 +29,8 @@ struct BakedAnimal {
     double measure_s = 0.0;
 };
 
-// Opens bytes that this program has just written. A refusal is our own fault, not that of a file that somebody
-// gave. Errors: E-INTERNAL.
+// Opens bytes that this program has just written. A refusal is our own fault, not that of a file that
+// somebody gave. Errors: E-INTERNAL.
 base::Status check_own_bytes(std::span<const std::uint8_t> container);
 
 // Bakes `entry` from `glb`. A pure function of its arguments and the version of posepack, but for the times.

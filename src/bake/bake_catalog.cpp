@@ -35,7 +35,7 @@ base::Status keep_only(recipe::Catalog& catalog, const std::vector<std::string>&
         if (std::find(known.begin(), known.end(), id) == known.end()) {
             const std::string near = base::nearest(id, known);
             return Issue{IssueCode::usage, "--only",
-                         fmt::format("the catalog has no animal '{}'{}", id,
+                         fmt::format("expected ids of the catalog, found '{}'{}", id,
                                      near.empty() ? "" : fmt::format("; did you mean '{}'?", near))};
         }
     for (recipe::AnimalEntry& entry : catalog.animals)

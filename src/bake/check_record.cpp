@@ -83,21 +83,20 @@ recipe::ClipRecord clip_of(const posepack_view& view, const posepack_clip& clip)
 // `listed` where it lies between the clips' figures, else the nearest that does.
 float between_clips(float listed, const std::vector<recipe::ClipRecord>& clips,
                     float recipe::ErrorRecord::*figure, double slack) {
-    const auto [least, most] = std::minmax_element(clips.begin(), clips.end(), [figure](const auto& a, const auto& b) {
-        return a.error.*figure < b.error.*figure;
-    });
+    const auto [least, most] = std::minmax_element(
+        clips.begin(), clips.end(),
+        [figure](const auto& a, const auto& b) { return a.error.*figure < b.error.*figure; });
     const auto low = static_cast<float>(static_cast<double>(least->error.*figure) / slack);
     const auto high = static_cast<float>(static_cast<double>(most->error.*figure) * slack);
     return std::clamp(listed, low, high);
 }
 
 // The animal's own error: the place of its worst clip, the first of several.
-recipe::ErrorRecord pooled_error(const recipe::ErrorRecord& listed, const std::vector<recipe::ClipRecord>& clips,
-                                 float radius_m) {
+recipe::ErrorRecord pooled_error(const recipe::ErrorRecord& listed,
+                                 const std::vector<recipe::ClipRecord>& clips, float radius_m) {
     constexpr double kRounding = 1.0 + 1e-5;
-    const auto worst = std::max_element(clips.begin(), clips.end(), [](const auto& a, const auto& b) {
-        return a.error.max < b.error.max;
-    });
+    const auto worst = std::max_element(
+        clips.begin(), clips.end(), [](const auto& a, const auto& b) { return a.error.max < b.error.max; });
     recipe::ErrorRecord pooled = worst->error;
     pooled.clip = worst->name;
     for (const recipe::ClipRecord& clip : clips)
@@ -159,7 +158,9 @@ void fill_layout(const posepack_view& view, recipe::BakeRecord& record) {
     record.row_count = header.row_count;
     record.texture_width = header.texture_width_texels;
     record.texture_height = header.texture_height_texels;
-    record.texel_bytes = std::uint64_t{header.row_pitch_bytes} * header.texture_height_texels;
+    const std::uint64_t texel_bytes = header.texel_format == POSEPACK_TEXEL_RGBA32F ? 16 : 8;
+    record.texel_bytes =
+        texel_bytes * header.texels_per_bone * header.bone_count * header.row_count;  // no fill
     record.radius_m = header.radius_m;
     posepack_space space;
     if (posepack_get_space(&view, &space) != POSEPACK_OK) return;
@@ -184,8 +185,9 @@ recipe::BakeRecord record_of(const recipe::BakeRecord& listed, std::span<const s
     fill_states(view, record);
     const bool measured = std::all_of(record.clips.begin(), record.clips.end(),
                                       [](const recipe::ClipRecord& clip) { return clip.error.measured; });
-    record.error = measured && !record.clips.empty() ? pooled_error(listed.error, record.clips, record.radius_m)
-                                                     : recipe::ErrorRecord{};
+    record.error = measured && !record.clips.empty()
+                       ? pooled_error(listed.error, record.clips, record.radius_m)
+                       : recipe::ErrorRecord{};
     if (record.has_vram) record.vram = vram_of(record.row_count, record.bone_count, record.vertex_count);
     return record;
 }
@@ -217,7 +219,8 @@ std::vector<Issue> check_record(const recipe::BakeRecord& listed, std::uint32_t 
     std::vector<Issue> issues;
     for (const json& change : json::diff(manifest, container)) {
         const auto path = change.at("path").get<std::string>();
-        const std::string end = path.ends_with("/-") ? path.substr(0, path.size() - 2) : path;  // beyond an array
+        const std::string end =
+            path.ends_with("/-") ? path.substr(0, path.size() - 2) : path;  // beyond an array
         const json::json_pointer field(end);
         issues.push_back({IssueCode::man_field, listed.container + ": " + end.substr(1),
                           fmt::format("expected {} as in the container, found {} in the manifest",

@@ -62,7 +62,7 @@ Issue missing_clip(const Animal& animal, const std::string& wish) {
     if (all.size() > kListedNames) names += fmt::format(" and {} more", all.size() - kListedNames);
     const std::string near = base::nearest(wish, all);
     return {IssueCode::cat_clip_missing, "",
-            fmt::format("expected a clip '{}', the model has {}{}", base::shortened(wish, 64), names,
+            fmt::format("expected a clip '{}', found {}{}", base::shortened(wish, 64), names,
                         near.empty() ? "" : fmt::format("; did you mean '{}'?", near))};
 }
 
@@ -120,9 +120,9 @@ base::Result<StateChoice> choose_states(const Animal& animal, const recipe::Anim
         if (entry.default_state.empty() || result.default_state != animal::kNone) return result;
     }
     if (!entry.default_state.empty())
-        return Issue{
-            IssueCode::cat_state_missing, "",
-            fmt::format("the default state '{}' plays no clip", base::shortened(entry.default_state, 64))};
+        return Issue{IssueCode::cat_state_missing, "",
+                     fmt::format("expected a default state that plays a clip, found '{}'",
+                                 base::shortened(entry.default_state, 64))};
     result.default_state = 0;
     return result;
 }

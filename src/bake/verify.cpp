@@ -28,14 +28,14 @@ base::Status check_provenance(const posepack_view& view, const std::string& wher
     const base::Sha256 digest = base::sha256({static_cast<const std::uint8_t*>(data), size});
     if (std::memcmp(digest.data(), view.header.recipe_sha256, digest.size()) == 0) return {};
     return Issue{IssueCode::pack_invalid, where,
-                 "the recipe digest of the header is not that of the stored recipe"};
+                 "expected the digest of the stored recipe in the header, found another"};
 }
 
 base::Status check_container(const base::Bytes& bytes, const std::string& where, posepack_view& view) {
     const posepack_result result = posepack_open(&view, bytes.data(), bytes.size());
     if (result != POSEPACK_OK)
         return Issue{IssueCode::pack_invalid, where,
-                     fmt::format("expected a container of format {}.{}, the loader answers {}",
+                     fmt::format("expected a container of format {}.{}, found that the loader answers {}",
                                  POSEPACK_FORMAT_MAJOR, POSEPACK_FORMAT_MINOR, posepack_result_name(result))};
     return check_provenance(view, where);
 }
@@ -82,8 +82,9 @@ void check_strays(const std::filesystem::path& folder, const recipe::Manifest& m
             stray.insert(name);
     }
     for (const std::string& name : stray)
-        outcome.findings.push_back({strict ? IssueCode::man_stray : IssueCode::warn_stray, name,
-                                    "the folder holds a container that the manifest does not list"});
+        outcome.findings.push_back(
+            {strict ? IssueCode::man_stray : IssueCode::warn_stray, name,
+             "expected every container in the manifest, found one that it does not list"});
 }
 
 base::Result<VerifyOutcome> verify_folder(const std::filesystem::path& folder, bool strict) {

@@ -262,12 +262,13 @@ struct OutputFolder::State {
         return 0;
     }
 
-    // Whether rename() can give the staged file its name: it replaces files and links, never a folder, and should
-    // not replace a device or pipe. What a name came to mean since is found by rename().
+    // Whether rename() can give the staged file its name: it replaces files and links, never a folder, and
+    // should not replace a device or pipe. What a name came to mean since is found by rename().
     Status check_replaceable(const std::string& name) const {
         struct stat status {};
         if (::fstatat(folder.get(), name.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0) {
-            return errno == ENOENT ? Status() : write_issue(path / name, "a name that can be replaced", errno);
+            return errno == ENOENT ? Status()
+                                   : write_issue(path / name, "a name that can be replaced", errno);
         }
         if (S_ISREG(status.st_mode) || S_ISLNK(status.st_mode)) return {};
         return Issue{IssueCode::io_write, (path / name).string(),

@@ -40,10 +40,10 @@ class OutputFolder {
     // Errors: E-IO-WRITE, E-IO-SPACE.
     Status stage(const std::string& name, std::span<const std::uint8_t> bytes);
 
-    // Renames every staged file to its name, in the order of names, then `last` (the commit point). Before the
-    // first rename every name is looked at: one that a folder or device holds changes nothing. Each name holds a
-    // whole old or a whole new file at any instant; a crash between two renames leaves new files under the old
-    // `last`. Errors: E-IO-WRITE, E-INTERRUPTED (before the first rename).
+    // Renames every staged file to its name, in the order of names, then `last` (the commit point). Before
+    // the first rename every name is looked at: one that a folder or device holds changes nothing. Each name
+    // holds a whole old or a whole new file at any instant; a crash between two renames leaves new files
+    // under the old `last`. Errors: E-IO-WRITE, E-INTERRUPTED (before the first rename).
     Status publish(const std::string& last);
 
  private:

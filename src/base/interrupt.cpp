@@ -7,7 +7,8 @@ namespace posepack::base {
 namespace {
 
 std::atomic<bool> requested{false};
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may set it (C++20, [support.signal])");
+static_assert(std::atomic<bool>::is_always_lock_free,
+              "a signal handler may set it (C++20, [support.signal])");
 
 }  // namespace
 
@@ -21,7 +22,7 @@ bool interrupt_requested() noexcept {
 
 Status check_interrupt() {
     if (!interrupt_requested()) return {};
-    return Issue{IssueCode::interrupted, "", "expected to finish, found a signal to stop; nothing was published"};
+    return Issue{IssueCode::interrupted, "", "expected to run to the end, found a signal to stop"};
 }
 
 void clear_interrupt() noexcept {

@@ -148,4 +148,10 @@ std::string grouped(unsigned long long value) {
     return digits;
 }
 
+std::string counted(std::uint64_t count, std::string_view noun, std::string_view plural) {
+    if (count == 1) return fmt::format("1 {}", noun);
+    return plural.empty() ? fmt::format("{} {}s", grouped(count), noun)
+                          : fmt::format("{} {}", grouped(count), plural);
+}
+
 }  // namespace posepack::base

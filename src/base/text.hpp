@@ -2,6 +2,7 @@
 // Small text helpers: safe printing of input text, names without case, wildcard patterns, near misses.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -34,5 +35,9 @@ double widened(float value);
 
 // 1234567 -> "1,234,567".
 std::string grouped(unsigned long long value);
+
+// A count with its noun: "1 animal", "30 animals"; thousands are grouped. `plural`: where it is not noun +
+// "s".
+std::string counted(std::uint64_t count, std::string_view noun, std::string_view plural = {});
 
 }  // namespace posepack::base

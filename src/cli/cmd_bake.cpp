@@ -67,7 +67,7 @@ output::TextTable summary_table(const bake::BakeOutcome& outcome, bool with_vat)
         vat += record.vram.vat_rgba16f;
         ms += animal_ms;
     }
-    table.total = {fmt::format("{} animals", outcome.manifest.records.size()),
+    table.total = {base::counted(outcome.manifest.records.size(), "animal"),
                    std::to_string(clips),
                    std::to_string(rows),
                    "",
@@ -96,8 +96,9 @@ int run(const Options& options) {
         if (*options.format == Format::csv)
             fmt::print("{}", format_csv(table));
         else
-            fmt::print("{}\nbaked {} of {} animals into {} in {:.2f} s\n", format_text(table),
-                       done.manifest.records.size(), done.manifest.records.size() + done.failures.size(),
+            fmt::print("{}\nbaked {} of {} into {} in {:.2f} s\n", format_text(table),
+                       done.manifest.records.size(),
+                       base::counted(done.manifest.records.size() + done.failures.size(), "animal"),
                        options.bake.output.string(), done.elapsed_s);
     }
     return done.failures.empty() ? 0 : static_cast<int>(base::ExitCode::partial);

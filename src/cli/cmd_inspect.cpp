@@ -34,11 +34,21 @@ std::string text_of(const posepack_string& string) {
 
 output::TextTable clips_table(const posepack_view& view) {
     output::TextTable table;
-    table.columns = {{"clip", Align::left}, {"rows"},       {"first"},
-                     {"rate Hz"},           {"period s"},   {"wrap", Align::left},
-                     {"speed m/s"},         {"max / R"},    {"p99.9 / R"},
-                     {"rms / R"},           {"max mm"},     {"p99.9 mm"},
-                     {"rms mm"},            {"normal deg"}, {"worst place", Align::left}};
+    table.columns = {{"clip", Align::left},
+                     {"rows"},
+                     {"first"},
+                     {"rate Hz"},
+                     {"period s"},
+                     {"wrap", Align::left},
+                     {"speed m/s"},
+                     {"max / R"},
+                     {"p99.9 / R"},
+                     {"rms / R"},
+                     {"max mm"},
+                     {"p99.9 mm"},
+                     {"rms mm"},
+                     {"normal deg"},
+                     {"worst place", Align::left}};
     for (std::uint32_t c = 0; c < view.header.clip_count; ++c) {
         posepack_clip clip;
         if (posepack_get_clip(&view, c, &clip) != POSEPACK_OK) continue;
@@ -56,16 +66,16 @@ output::TextTable clips_table(const posepack_view& view) {
                                                    static_cast<double>(view.header.radius_m) * 1e3)
                        : "-";
         };
-        table.rows.push_back({text_of(clip.name), std::to_string(clip.row_count),
-                              std::to_string(clip.first_row), fmt::format("{:.6g}", clip.rate_hz),
-                              fmt::format("{:.4f}", clip.period_s), wrap,
-                              clip.speed_mps > 0 ? fmt::format("{:.3g}", clip.speed_mps) : "-",
-                              figure(clip.error.max), figure(clip.error.p999), figure(clip.error.rms),
-                              millimetres(clip.error.max), millimetres(clip.error.p999), millimetres(clip.error.rms),
-                              clip.measured != 0 ? fmt::format("{:.3g}", clip.error.normal_max_deg) : "-",
-                              placed ? fmt::format("{:.3f} s, vertex {}, {}", clip.error.time_s,
-                                                   clip.error.vertex, text_of(bone.name))
-                                     : "not measured"});
+        table.rows.push_back(
+            {text_of(clip.name), std::to_string(clip.row_count), std::to_string(clip.first_row),
+             fmt::format("{:.6g}", clip.rate_hz), fmt::format("{:.4f}", clip.period_s), wrap,
+             clip.speed_mps > 0 ? fmt::format("{:.3g}", clip.speed_mps) : "-", figure(clip.error.max),
+             figure(clip.error.p999), figure(clip.error.rms), millimetres(clip.error.max),
+             millimetres(clip.error.p999), millimetres(clip.error.rms),
+             clip.measured != 0 ? fmt::format("{:.3g}", clip.error.normal_max_deg) : "-",
+             placed ? fmt::format("{:.3f} s, vertex {}, {}", clip.error.time_s, clip.error.vertex,
+                                  text_of(bone.name))
+                    : "not measured"});
     }
     return table;
 }
@@ -128,14 +138,15 @@ base::Result<BoneRow> find_bone_row(const posepack_view& view, const Options& op
         if (posepack_find_clip(&view, options.clip.c_str(), &index) != POSEPACK_OK ||
             posepack_get_clip(&view, index, &clip) != POSEPACK_OK)
             return Issue{IssueCode::usage, "--clip",
-                         fmt::format("the container has no clip '{}'", options.clip)};
+                         fmt::format("expected one of the container's {} clips, found '{}'",
+                                     view.header.clip_count, options.clip)};
         first_row = clip.first_row;
         row_limit = clip.row_count;
     }
-    if (options.row.value_or(0) >= row_limit)
+    if (*options.row >= row_limit)
         return Issue{IssueCode::usage, "--row",
                      fmt::format("expected 0 to {}, found {}", row_limit - 1, *options.row)};
-    place.row = first_row + options.row.value_or(0);
+    place.row = first_row + *options.row;
     if (options.bone.empty() || posepack_find_bone(&view, options.bone.c_str(), &place.bone) == POSEPACK_OK)
         return place;
     const bool number =
@@ -155,7 +166,8 @@ int print_matrix(const posepack_view& view, const Options& options) {
     posepack_bone bone;
     if (posepack_decode_bone(&view, place.value().row, place.value().bone, m) != POSEPACK_OK ||
         posepack_get_bone(&view, place.value().bone, &bone) != POSEPACK_OK)
-        return fail({IssueCode::pack_invalid, options.container, "the loader cannot decode that bone"});
+        return fail({IssueCode::pack_invalid, options.container,
+                     "expected a bone-row that the loader decodes, found one that it does not"});
     if (*options.format == Format::json) {
         nlohmann::json rows = nlohmann::json::array();
         for (int r = 0; r < 3; ++r) {
@@ -179,10 +191,13 @@ int print_matrix(const posepack_view& view, const Options& options) {
 }
 
 int run(const Options& options) {
+    if (!options.row && (!options.clip.empty() || !options.bone.empty()))
+        return fail({IssueCode::usage, options.clip.empty() ? "--bone" : "--clip",
+                     "expected --row with it, for one bone-row as a matrix, found none"});
     const auto file = open_container(options.container);
     if (!file) return fail(file.issue());
     const posepack_view& view = file.value().view;
-    if (options.row || !options.bone.empty() || !options.clip.empty()) return print_matrix(view, options);
+    if (options.row) return print_matrix(view, options);
     if (*options.format == Format::json)
         fmt::print("{}\n", output::container_json(view, 1));
     else

@@ -27,7 +27,7 @@ struct Options {
     std::string folder;
     std::vector<std::string> only;
     std::optional<std::size_t> animals;
-    std::uint64_t seed = 1;
+    std::optional<std::uint64_t> seed;
     bool statistics = false;
     bool birds = false;
     bool toy = false;
@@ -56,7 +56,8 @@ std::vector<menagerie::HerdMember> members_of(const Options& options) {
     else if (options.birds)
         for (const std::string_view id : menagerie::birds()) members.push_back({std::string(id), id, 0});
     else
-        members = menagerie::herd(options.animals.value_or(menagerie::animals().size()), options.seed);
+        members =
+            menagerie::herd(options.animals.value_or(menagerie::animals().size()), options.seed.value_or(1));
     if (!options.only.empty())
         std::erase_if(members, [&options](const menagerie::HerdMember& member) {
             return std::find(options.only.begin(), options.only.end(), member.kind) == options.only.end();
@@ -127,18 +128,21 @@ int write_members(const Options& options) {
             catalog.push_back(menagerie::catalog_animal(member.id, model));
     }
     if (options.statistics) print_real_ranges();
-    fmt::print("wrote {} animals into {}\n", members.size(), options.folder);
+    fmt::print("wrote {} into {}\n", base::counted(members.size(), "animal"), options.folder);
     // A catalog without animals is none.
     return catalog.empty() ? 0 : write_catalog(options, catalog);
 }
 
 int run(const Options& options) {
+    if (options.seed && !options.animals)
+        return fail({base::IssueCode::usage, "--seed",
+                     "expected --animals with it, whose others it chooses, found none"});
     if (const auto status = check_ids(options); !status) return fail(status.issue());
     std::error_code error;
     std::filesystem::create_directories(options.folder, error);
     if (error)
-        return fail(
-            {base::IssueCode::io_write, options.folder, "cannot make the folder: " + error.message()});
+        return fail({base::IssueCode::io_write, options.folder,
+                     "expected a folder that can be made, found: " + error.message()});
     return write_members(options);
 }
 
@@ -158,7 +162,6 @@ Runner add_menagerie(CLI::App& app) {
             ->type_name("N");
     app.add_option("--seed", options->seed, "Which others --animals makes; default 1")
         ->check(whole_between(0, std::numeric_limits<std::uint64_t>::max()))
-        ->needs(herd)
         ->type_name("S");
     auto* birds = app.add_flag("--birds", options->birds,
                                "Instead the 25 birds of the second catalog, with a catalog.json")

@@ -37,8 +37,9 @@ int run(const Options& options) {
                                  {"findings", findings}};
         fmt::print("{}\n", out.dump(1));
     } else {
-        fmt::print("{}: {} containers, {} bytes checked\n", exit_code == 0 ? "ok" : "FAILED",
-                   outcome.value().container_count, base::grouped(outcome.value().byte_count));
+        fmt::print("{}: {}, {} bytes checked\n", exit_code == 0 ? "ok" : "FAILED",
+                   base::counted(outcome.value().container_count, "container"),
+                   base::grouped(outcome.value().byte_count));
     }
     return exit_code;
 }

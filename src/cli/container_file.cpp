@@ -13,8 +13,8 @@ base::Result<ContainerFile> open_container(const std::filesystem::path& path) {
     if (result == POSEPACK_OK) return file;
     return base::Issue{
         base::IssueCode::pack_invalid, path.filename().string(),
-        fmt::format("expected a container of format {}.{}, the loader answers {}", POSEPACK_FORMAT_MAJOR,
-                    POSEPACK_FORMAT_MINOR, posepack_result_name(result))};
+        fmt::format("expected a container of format {}.{}, found that the loader answers {}",
+                    POSEPACK_FORMAT_MAJOR, POSEPACK_FORMAT_MINOR, posepack_result_name(result))};
 }
 
 }  // namespace posepack::cli

@@ -40,7 +40,7 @@ int refuse_word(const CLI::App& app, const std::string& word) {
     const std::string near = base::nearest(word, known_words(app, flag));
     const std::string what = flag ? "option" : app.get_parent() == nullptr ? "command" : "argument";
     return fail({IssueCode::usage, app.get_name(),
-                 fmt::format("unknown {} '{}'{}", what, word,
+                 fmt::format("expected a known {}, found '{}'{}", what, word,
                              near.empty() ? "" : fmt::format("; did you mean '{}'?", near))});
 }
 
@@ -90,17 +90,21 @@ int parse_and_run(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         // A misspelt option often shows up as something else that is missing: name the word first.
         if (const auto refused = refuse_extras()) return *refused;
-        return fail({IssueCode::usage, "", error.what()});
+        const std::string what = error.what();
+        const bool is_ours = what.find("expected ") != std::string::npos;
+        return fail({IssueCode::usage, "",
+                     is_ours ? what : "expected arguments as --help lists them, found: " + what});
     }
     if (const auto refused = refuse_extras()) return *refused;
-    if (chosen() == nullptr) return fail({IssueCode::usage, "", "expected a command"});
+    if (chosen() == nullptr) return fail({IssueCode::usage, "", "expected a command, found none"});
     return chosen()->run();
 }
 
 // Results that did not reach stdout (a full disk behind a pipe or a redirection) are a failure.
 int flush_output(int exit_code) {
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit_code;
-    return fail({IssueCode::io_write, "stdout", "expected an open stream with room for the results, found one that takes no more"});
+    return fail({IssueCode::io_write, "stdout",
+                 "expected an open stream with room for the results, found one that takes no more"});
 }
 
 }  // namespace
@@ -112,7 +116,8 @@ int main(int argc, char** argv) {
     try {
         return posepack::cli::flush_output(posepack::cli::parse_and_run(argc, argv));
     } catch (const std::bad_alloc&) {
-        return posepack::cli::fail({IssueCode::memory, "", "an allocation failed"});
+        return posepack::cli::fail(
+            {IssueCode::memory, "", "expected more memory, found that an allocation failed"});
     } catch (const std::system_error& error) {
         return posepack::cli::fail({IssueCode::io_write, "", error.what()});
     } catch (const std::exception& exception) {

@@ -51,7 +51,7 @@ CLI::Validator between(std::string_view what, Number least, Number most) {
         if (error == std::errc{} && stop == end && value >= least && value <= most) return std::string();
         return fmt::format("expected {} from {} to {}, found '{}'", what, least, most, text);
     };
-    return {check, ""};
+    return {check, fmt::format("{} to {}", least, most)};
 }
 
 }  // namespace

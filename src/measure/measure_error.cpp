@@ -242,7 +242,7 @@ base::Result<ErrorStats> measure_error(const Animal& animal, const palette::Pale
         const ClipError error = meter.measure(palette.clips[c], one);
         if (!std::isfinite(error.max) || !std::isfinite(error.rms))
             return base::Issue{base::IssueCode::lim_float_range, animal.clips[palette.clips[c].source].name,
-                               "expected errors that fit a float, the motion is too large to be measured"};
+                               "expected errors that fit a float, found a motion too large to be measured"};
         all.add(one);
         if (stats.clips.empty() || error.max > stats.clips[stats.worst_clip].max) stats.worst_clip = c;
         stats.clips.push_back(error);

@@ -29,7 +29,8 @@ struct ErrorStats {
 // Measures `container` (bytes of write_container) against `animal`.
 //   palette  tells the plan of each clip; its pixels are not looked at
 //   points, normals  of the animal
-// Errors: E-INTERNAL when the loader refuses the bytes, which are our own, E-LIM-FLOAT-RANGE when an error fits no float.
+// Errors: E-INTERNAL when the loader refuses the bytes, which are our own, E-LIM-FLOAT-RANGE when an error
+// fits no float.
 base::Result<ErrorStats> measure_error(const animal::Animal& animal, const palette::Palette& palette,
                                        std::span<const std::uint8_t> container, const motion::SkinSet& points,
                                        const motion::SkinSet& normals);

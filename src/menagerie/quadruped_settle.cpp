@@ -27,8 +27,8 @@ double head_clearance(const QuadrupedShape& shape, const char* clip) {
 }
 
 // The largest angle up to `most` that keeps the head above the ground; `most` where it cannot reach it.
-double largest_bow(const QuadrupedShape& given, double QuadrupedShape::*angle, const char* clip,
-                   double least, double most) {
+double largest_bow(const QuadrupedShape& given, double QuadrupedShape::*angle, const char* clip, double least,
+                   double most) {
     QuadrupedShape shape = given;
     shape.*angle = most;
     if (head_clearance(shape, clip) >= 0.0) return most;

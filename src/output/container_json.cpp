@@ -84,7 +84,8 @@ json clips_of(const posepack_view& view) {
     json clips = json::array();
     for (std::uint32_t c = 0; c < view.header.clip_count; ++c) {
         posepack_clip clip;
-        if (posepack_get_clip(&view, c, &clip) == POSEPACK_OK) clips.push_back(clip_json(clip, view.header.radius_m));
+        if (posepack_get_clip(&view, c, &clip) == POSEPACK_OK)
+            clips.push_back(clip_json(clip, view.header.radius_m));
     }
     return clips;
 }

@@ -63,7 +63,8 @@ Imf::Header make_header(const posepack_view& view, const posepack_texels& texels
 base::Result<std::vector<std::uint8_t>> export_exr(const posepack_view& view) {
     posepack_texels texels;
     if (posepack_get_texels(&view, &texels) != POSEPACK_OK)
-        return base::Issue{base::IssueCode::pack_invalid, "", "the container gives no texels"};
+        return base::Issue{base::IssueCode::pack_invalid, "",
+                           "expected texels, found a container that gives none"};
     const bool half = texels.format == POSEPACK_TEXEL_RGBA16F;
     const Imf::PixelType type = half ? Imf::HALF : Imf::FLOAT;
     const std::size_t channel_bytes = half ? 2 : 4;
@@ -82,7 +83,9 @@ base::Result<std::vector<std::uint8_t>> export_exr(const posepack_view& view) {
         file.setFrameBuffer(frame);
         file.writePixels(static_cast<int>(texels.height_texels));
     } catch (const std::exception& exception) {
-        return base::Issue{base::IssueCode::io_write, "", std::string("OpenEXR: ") + exception.what()};
+        return base::Issue{
+            base::IssueCode::io_write, "",
+            std::string("expected an image that OpenEXR can write, found: ") + exception.what()};
     }
     return std::move(stream.bytes);
 }

@@ -28,8 +28,8 @@ base::Result<Layout> choose_layout(const recipe::OutputOptions& options, std::ui
     layout.rows_per_line = (row_count + cap - 1) / cap;
     if (row_texels > cap / layout.rows_per_line)
         return Issue{IssueCode::lim_texture, "",
-                     fmt::format("{} rows of {} texels fit no texture of {} x {} texels", row_count,
-                                 row_texels, cap, cap)};
+                     fmt::format("expected at most {} x {} texels, found {} rows of {} texels", cap, cap,
+                                 row_count, row_texels)};
     layout.texture_width = row_texels * layout.rows_per_line;
     layout.texture_height = (row_count + layout.rows_per_line - 1) / layout.rows_per_line;
     layout.row_pitch_bytes = layout.texture_width * layout.texel_bytes;
@@ -39,8 +39,8 @@ base::Result<Layout> choose_layout(const recipe::OutputOptions& options, std::ui
     constexpr std::uint64_t kTableBytes = 2u << 20;
     if (layout.pixel_bytes() > POSEPACK_MAX_FILE_BYTES - kTableBytes)
         return Issue{IssueCode::lim_container, "",
-                     fmt::format("the texels need {} bytes, a container holds {}", layout.pixel_bytes(),
-                                 POSEPACK_MAX_FILE_BYTES - kTableBytes)};
+                     fmt::format("expected at most {} bytes of texels, found {}",
+                                 POSEPACK_MAX_FILE_BYTES - kTableBytes, layout.pixel_bytes())};
     return layout;
 }
 

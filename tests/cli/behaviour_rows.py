@@ -108,6 +108,15 @@ def _not_measured(case):
     case.equal((record["error"], record["clips"][0]["error"]), (None, None), "error in the manifest")
     case.equal(case.inspect("out/deer.posepack")["clips"][0]["error"], None, "error in the container")
     case.contains(case.run("inspect", "out/deer.posepack").stdout, "not measured", "inspect")
+    case.expect_ok(case.bake(deer(case), measure=True, output="measured"))
+    measured = case.manifest("measured")["records"][0]
+    case.check(measured["container_sha256"] != record["container_sha256"]
+               and measured["recipe_sha256"] != record["recipe_sha256"],
+               "expected another recipe where the bytes differ")
+    error, radius = measured["error"], measured["radius_m"]
+    for figure in ("max", "p999", "rms"):
+        case.check(abs(error[figure + "_m"] - error[figure] * radius) <= 1e-6 * error["max_m"],
+                   f"{figure}_m: expected {figure} x radius_m, found {error}")
 
 
 def _equal_bytes(case):
@@ -143,6 +152,10 @@ def _only(case):
     case.expect_ok(case.bake(catalog, "--only", "elk,deer", output="both"))
     case.equal([record["id"] for record in case.manifest("both")["records"]], ["deer", "elk"],
                "ids of --only elk,deer")
+    for number, only in enumerate(("deer,elk", "elk,deer,elk", "deer,deer,elk")):
+        case.expect_ok(case.bake(catalog, "--only", only, output=f"order_{number}"))
+        case.check(case.output_bytes(f"order_{number}") == case.output_bytes("both"),
+                   f"--only {only}: other bytes than --only elk,deer")
     case.expect_bake_refused(catalog, 1, "E-USAGE", "--only", "dear", output="none",
                              mentions=("'dear'", "'deer'"))
 

@@ -37,8 +37,9 @@ def _inspect(case):
     case.equal([line.split() for line in matrix.stdout.splitlines()[1:]],
                [["1", "0", "0", "0.5"], ["0", "1", "0", "0"], ["0", "0", "1", "0"]], "matrix as text")
     for options, mention in ((("--row", 90), "89"), (("--row", 99999999999), "row"),
-                             (("--bone", "tail"), "tail"),
-                             (("--bone", 3), "0 to 2"), (("--clip", "Swim"), "Swim"), (("--row", -1), "row")):
+                             (("--row", 0, "--bone", "tail"), "tail"), (("--row", 0, "--bone", 3), "0 to 2"),
+                             (("--row", 0, "--clip", "Swim"), "Swim"), (("--row", -1), "row"),
+                             (("--clip", "Walk"), "--row"), (("--bone", 1), "--row")):
         case.expect_refused(case.run("inspect", "out/elk.posepack", *options), 1, "E-USAGE", (mention,))
 
 

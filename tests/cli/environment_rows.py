@@ -4,8 +4,10 @@
 import fcntl
 import hashlib
 import os
+import resource
 import shutil
 import signal
+import subprocess
 import threading
 import time
 
@@ -45,6 +47,13 @@ MISUSED = [
     ("X03b", ("bake", "catalog.json"), ("--output",)),
     ("X03c", ("bake", "catalog.json", "-o", "out", "--encoding", "mat3"), ("mat4", "affine", "mat3")),
     ("X03d", ("bake", "catalog.json", "-o", "out", "--rate", "0"), ("--rate",)),
+    ("X03d2", ("bake", "catalog.json", "-o", "out", "--rate", "nan"), ("--rate", "nan", "1 to 1000")),
+    ("X03d3", ("bake", "catalog.json", "-o", "out", "--rate", "inf"), ("--rate", "inf")),
+    ("X03d4", ("bake", "catalog.json", "-o", "out", "--rate", "1e400"), ("--rate", "1e400")),
+    ("X03d5", ("bake", "catalog.json", "-o", "out", "--lock-timeout", "nan"), ("--lock-timeout", "nan")),
+    ("X03d6", ("bake", "catalog.json", "-o", "out", "--lock-timeout", "-1"), ("--lock-timeout", "-1")),
+    ("X03d7", ("compare", "catalog.json", "--rate", "-nan"), ("--rate", "-nan")),
+    ("X03d8", ("report", "catalog.json", "--rates", "keys,inf"), ("--rates", "inf")),
     ("X03e", ("bake", "catalog.json", "-o", "out", "--rate", "fast"), ("--rate",)),
     ("X03f", ("bake", "catalog.json", "-o", "out", "--jobs", "0"), ("--jobs",)),
     ("X03g", ("verify", "out", "--format", "csv"), ("text", "json", "csv")),
@@ -53,13 +62,21 @@ MISUSED = [
     ("X03j", ("report", "catalog.json", "--rates", "keys,fast"), ("fast",)),
     ("X03k", ("compare", "catalog.json", "--copies", "0"), ("--copies",)),
     ("X03l", ("menagerie", "models/m", "--only", "gaot"), ("gaot", "goat")),
+    ("X03n", ("menagerie", "models/m", "--animals", "40", "--seed", "-3"), ("--seed", "-3")),
+    ("X03o", ("menagerie", "models/m", "--seed", "3"), ("--seed", "--animals")),
+    ("X03p", ("inspect", "a.posepack", "--clip", "Walk"), ("--clip", "--row")),
+    ("X03q", ("inspect", "a.posepack", "--bone", "0"), ("--bone", "--row")),
     ("X03m", ("menagerie", "models/m", "--animals", "3001"), ("--animals", "3001")),
 ]
 
 
 def _misused_row(name, arguments, mentions):
     def run(case):
-        case.expect_refused(case.run(*arguments), 1, "E-USAGE", mentions)
+        result = case.run(*arguments)
+        case.expect_refused(result, 1, "E-USAGE", mentions)
+        for argument in arguments:
+            case.check(not argument.startswith("--") or f"{argument}: {argument}: " not in result.stderr,
+                       f"stderr names {argument} twice: {result.stderr}")
     return Row(name, "misuse: posepack " + " ".join(arguments), run)
 
 
@@ -253,6 +270,113 @@ def _keep_going(case):
                    f"{name}: differs from a bake without a bad animal")
 
 
+def _keep_going_without_models(case):
+    """A model that cannot be read is its animal's failure; a folder that cannot be written is everybody's."""
+    catalog = many_deer(case, 6)
+    case.expect_ok(case.bake(catalog, output="whole"))
+    whole = case.output_bytes("whole")
+    os.remove(case.path("models/deer_00.glb"))
+    os.remove(case.path("models/deer_03.glb"))
+    os.makedirs(case.path("models/deer_03.glb"))
+    result = case.bake(catalog, "--keep-going")
+    case.equal(result.exit_code, 9, "exit code")
+    errors = result.lines("error")
+    case.check(len(errors) == 2 and all("[E-IO-OPEN]" in line for line in errors) and "deer_00" in errors[0]
+               and "deer_03" in errors[1], f"stderr: {result.stderr}")
+    good = [f"deer_{number:02}" for number in (1, 2, 4, 5)]
+    case.equal([record["id"] for record in case.manifest()["records"]], good, "records")
+    for name in good:
+        case.equal(case.output_bytes()[name + ".posepack"] == whole[name + ".posepack"], True, f"bytes of {name}")
+    case.expect_ok(case.run("verify", "--strict", "out"))
+    case.expect_bake_refused(catalog, 2, "E-IO-OPEN", output="all_or_none", mentions=("deer_00",))
+
+
+def _name_in_the_way(case):
+    """A folder or pipe that has the name of an output is found before anything is renamed."""
+    catalog = many_deer(case, 4)
+    for number, make in enumerate((os.makedirs, os.mkfifo)):
+        output = f"out_{number}"
+        case.expect_ok(case.bake(catalog, output=output))
+        os.remove(case.path(output, "deer_02.posepack"))
+        make(case.path(output, "deer_02.posepack"))
+        kept = (MANIFEST_NAME, "deer_00.posepack", "deer_01.posepack", "deer_03.posepack")
+        before = {name: read_bytes(case.path(output, name)) for name in kept}
+        for extra in ((), ("--keep-going",)):
+            result = case.bake(catalog, "--rate", 20, *extra, output=output)
+            case.expect_refused(result, 2, "E-IO-WRITE", ("deer_02.posepack", "regular file"))
+            case.check({name: read_bytes(case.path(output, name)) for name in kept} == before,
+                       "files were replaced although one could not be")
+            case.equal(_temporaries(case, output), [], "temporaries left")
+
+
+# Signals
+
+
+def _interrupted(case):
+    """SIGINT and SIGTERM in mid-bake: exit 130, one line, no temporary, the old outputs."""
+    catalog = many_deer(case, HERD)
+    case.expect_ok(case.bake(catalog, "--rate", 10))
+    before = case.output_bytes()
+    in_time = 0
+    for number in (signal.SIGINT, signal.SIGTERM):
+        for staged in (1, 9):
+            process = case.start("bake", catalog, "-o", "out", "--jobs", 1, "--rate", 1000, stderr=subprocess.PIPE)
+            deadline = time.monotonic() + 20
+            while process.poll() is None and time.monotonic() < deadline and len(_temporaries(case)) < staged:
+                time.sleep(0.0005)
+            process.send_signal(number)
+            stderr = process.communicate()[1].decode()
+            if process.returncode == 0:
+                case.expect_ok(case.bake(catalog, "--rate", 10))
+                continue
+            in_time += 1
+            case.equal(process.returncode, 130, f"exit code after signal {number} ({stderr})")
+            case.check(len(stderr.splitlines()) == 1 and stderr.startswith("posepack: error[E-INTERRUPTED]: "),
+                       f"stderr: expected one line, found {stderr}")
+            case.check(case.output_bytes() == before, "the old outputs changed, or a temporary is left")
+    case.check(in_time >= 3, f"expected most of 4 signals in mid-bake, found {in_time}")
+    case.expect_ok(case.run("verify", "--strict", "out"))
+
+
+def _interrupted_while_waiting(case):
+    catalog = case.write_animal(glb.tiny_animal().glb())
+    case.expect_ok(case.bake(catalog))
+    with open(case.path("out", LOCK_NAME), "r+b") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        process = case.start("bake", catalog, "-o", "out", "--lock-timeout", "20", stderr=subprocess.PIPE)
+        time.sleep(0.3)
+        process.send_signal(signal.SIGINT)
+        stderr = process.communicate(timeout=10)[1].decode()
+    case.equal(process.returncode, 130, f"exit code of a bake that waited for the lock ({stderr})")
+
+
+def _file_size_limit(case):
+    """Over the limit of file sizes (ulimit -f) a write fails and is told; the program does not die of it."""
+    catalog = many_deer(case, 3)
+    case.expect_ok(case.bake(catalog))
+    before = case.output_bytes()
+
+    def limit():
+        resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))
+
+    for extra in ((), ("--keep-going",)):
+        result = case.bake(catalog, "--rate", 20, *extra, preexec_fn=limit)
+        case.expect_refused(result, 2, "E-IO-WRITE", ("out/",))
+        case.check(case.output_bytes() == before, "the old outputs changed, or a temporary is left")
+
+
+def _closed_pipe(case):
+    """Whoever reads the results goes away: an error, not a signal."""
+    catalog = many_deer(case, 3)
+    reader, writer = os.pipe()
+    os.close(reader)
+    process = case.start("bake", catalog, "-o", "out", "--no-measure", stdout=writer, stderr=subprocess.PIPE)
+    os.close(writer)
+    stderr = process.communicate()[1].decode()
+    case.equal(process.returncode, 2, f"exit code ({stderr})")
+    case.contains(stderr, "error[E-IO-WRITE]: stdout: ", "stderr")
+
+
 def _first_failure(case):
     """Several bad animals: the first in the order of ids speaks, whatever the number of threads."""
     catalog = many_deer(case, 12, bad={3, 4, 9})
@@ -287,6 +411,12 @@ ROWS = [Row("X01", "no arguments", _no_arguments)] + [_misused_row(*row) for row
     Row("X11", "the folder is locked by another bake", _locked),
     Row("X13", "a model replaced while it is baked", _replaced_model),
     Row("X16", "one bad animal of 30 with --keep-going", _keep_going),
+    Row("X16b", "models missing with --keep-going", _keep_going_without_models),
+    Row("X19", "a folder or pipe has the name of an output", _name_in_the_way),
+    Row("X20", "SIGINT and SIGTERM in mid-bake", _interrupted),
+    Row("X20b", "SIGINT while waiting for the lock", _interrupted_while_waiting),
+    Row("X21", "the limit of file sizes", _file_size_limit),
+    Row("X22", "stdout is a pipe that nobody reads", _closed_pipe),
     Row("X17", "of several failures the first id's is told", _first_failure),
     Row("X18", "a failed bake leaves the old outputs", _failure_keeps_the_old),
 ]

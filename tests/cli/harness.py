@@ -253,7 +253,8 @@ class Case:
                    f"stderr: expected one line, found {_cut(result.stderr)}")
         self.check(lines[0].startswith(f"posepack: error[{issue}]: "),
                    f"stderr: expected error[{issue}], found {_cut(lines[0])}")
-        self.contains(lines[0], "; try: ", "stderr")
+        for part in ("expected ", "found", "; try: "):
+            self.contains(lines[0], part, "stderr")
         self.check(not re.search(rb"[\x00-\x09\x0b-\x1f\x7f]", result.stderr_bytes),
                    "stderr holds control characters")
         for mention in mentions:

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Prints everything that the C loader finds in a container, in the form of posepack_reader.py: floats as
+ * Prints everything that the C loader finds in a container, in the form of posepack_reader: floats as
  * the digits of their bits, one bone-row a line; `refused RESULT` for a file that does not open.
  *
  *     dump_container FILE.posepack

@@ -46,7 +46,7 @@ TEST(Repairs, WeightsAreCountedInVertices) {
     const Animal animal = mended(glb);
     const base::Issue finding = only_finding(animal, IssueCode::warn_weights);
     EXPECT_EQ(finding.where, "meshes/0/primitives/0");
-    EXPECT_EQ(finding.detail.substr(0, 11), "3 vertices ");
+    EXPECT_NE(finding.detail.find("found 3 vertices "), std::string::npos) << finding.detail;
     EXPECT_EQ(animal.vertices.weights[0], (std::array<float, 4>{1, 0, 0, 0}));
 }
 

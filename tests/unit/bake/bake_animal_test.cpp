@@ -173,5 +173,23 @@ TEST(BakeAnimal, FindingsBecomeRemarks) {
     EXPECT_EQ(refused.issue().code, base::IssueCode::glb_weights);
 }
 
+TEST(BakeAnimal, ARecipeDeterminesTheBytes) {
+    AnimalOptions unmeasured;
+    unmeasured.measure = false;
+    const BakedAnimal with = baked();
+    const BakedAnimal without = baked(unmeasured);
+    EXPECT_NE(with.record.container_sha256, without.record.container_sha256);
+    EXPECT_NE(with.record.recipe_sha256, without.record.recipe_sha256);
+}
+
+TEST(BakeAnimal, OurOwnBytesThatDoNotOpenAreOurFault) {
+    BakedAnimal animal = baked();
+    EXPECT_TRUE(check_own_bytes(animal.container));
+    animal.container[200] ^= 1;
+    const auto status = check_own_bytes(animal.container);
+    ASSERT_FALSE(status);
+    EXPECT_EQ(status.issue().code, base::IssueCode::internal);
+}
+
 }  // namespace
 }  // namespace posepack::bake

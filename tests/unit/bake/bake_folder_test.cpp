@@ -8,6 +8,7 @@
 #include "bake/compare.hpp"
 #include "bake/report.hpp"
 #include "bake/verify.hpp"
+#include "base/interrupt.hpp"
 #include "scratch_folder.hpp"
 #include "support/sample_models.hpp"
 
@@ -196,6 +197,41 @@ TEST_F(Folder, KeepGoingBakesTheRest) {
     EXPECT_EQ(outcome.failures[0].code, IssueCode::glb_magic);
     EXPECT_NE(outcome.failures[0].where.find("bone"), std::string::npos);
     EXPECT_TRUE(found().empty());
+}
+
+TEST_F(Folder, KeepGoingBakesTheRestWithoutAModel) {
+    std::filesystem::remove(root() / "bone.glb");
+    options.keep_going = true;
+    const BakeOutcome outcome = bake();
+    ASSERT_EQ(outcome.failures.size(), 1u);
+    EXPECT_EQ(outcome.failures[0].code, IssueCode::io_open);
+    ASSERT_EQ(outcome.manifest.records.size(), 1u);
+    EXPECT_EQ(outcome.manifest.records[0].id, "tail");
+}
+
+TEST_F(Folder, AnInterruptPublishesNothing) {
+    bake();
+    const std::string manifest = read_text(out("manifest.json"));
+    options.animal.measure = false;
+    base::request_interrupt();
+    const auto outcome = bake_catalog(source, options);
+    const auto verified = verify(root() / "out", false);
+    base::clear_interrupt();
+    ASSERT_FALSE(outcome);
+    EXPECT_EQ(outcome.issue().code, IssueCode::interrupted);
+    ASSERT_FALSE(verified);
+    EXPECT_EQ(verified.issue().code, IssueCode::interrupted);
+    EXPECT_EQ(read_text(out("manifest.json")), manifest);
+    EXPECT_EQ(base::names_in(root() / "out").size(), 3u) << "no temporary file is left";
+}
+
+TEST_F(Folder, TheOrderOfOnlyDoesNotMatter) {
+    source.only = {"tail", "bone", "tail"};
+    bake();
+    const std::string manifest = read_text(out("manifest.json"));
+    source.only = {"bone", "tail"};
+    bake();
+    EXPECT_EQ(read_text(out("manifest.json")), manifest);
 }
 
 TEST_F(Folder, OnlySomeOfThem) {

@@ -9,6 +9,8 @@
 #include <thread>
 #include <vector>
 
+#include "base/interrupt.hpp"
+
 namespace posepack::bake {
 namespace {
 
@@ -51,6 +53,19 @@ TEST(Workers, AFailureStopsTheStartOfLaterJobs) {
         return i < 10;
     });
     EXPECT_EQ(runs, 11);
+}
+
+TEST(Workers, AnInterruptStopsTheStartOfLaterJobs) {
+    for (const unsigned threads : {1u, 4u}) {
+        std::atomic<int> runs{0};
+        run_jobs(1000, threads, [&](std::size_t) {
+            if (++runs == 10) base::request_interrupt();
+            return true;
+        });
+        base::clear_interrupt();
+        EXPECT_GE(runs, 10);
+        EXPECT_LE(runs, 10 + static_cast<int>(threads)) << "those that had started";
+    }
 }
 
 }  // namespace

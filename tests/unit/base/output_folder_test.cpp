@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/mount.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "base/files.hpp"
+#include "base/interrupt.hpp"
 #include "scratch_folder.hpp"
 
 namespace posepack::base {
@@ -41,6 +43,52 @@ TEST(OutputFolder, PublishesWholeFilesTogether) {
     EXPECT_EQ(names_in(folder), (Names{"deer.posepack", "manifest.json"}));
     EXPECT_EQ(read_text(folder / "deer.posepack"), "deer");
     EXPECT_EQ(read_text(folder / "manifest.json"), "{}");
+}
+
+TEST(OutputFolder, LooksAtEveryNameBeforeItRenamesOne) {
+    const ScratchFolder scratch;
+    write_text(scratch.path() / "a", "old");
+    fs::create_directory(scratch.path() / "b");
+    ASSERT_EQ(::mkfifo((scratch.path() / "pipe").c_str(), 0600), 0);
+    for (const char* in_the_way : {"b", "pipe"}) {
+        OutputFolder output = opened(scratch.path());
+        for (const char* name : {"a", in_the_way, "z"}) ASSERT_TRUE(output.stage(name, bytes_of("new")));
+        for (const char* last : {"z", in_the_way}) {
+            const Status status = output.publish(last);
+            ASSERT_FALSE(status);
+            EXPECT_EQ(status.issue().code, IssueCode::io_write);
+            EXPECT_NE(status.issue().where.find(in_the_way), std::string::npos);
+            EXPECT_EQ(read_text(scratch.path() / "a"), "old");
+        }
+    }
+    EXPECT_EQ(names_in(scratch.path()), (Names{"a", "b", "pipe"}));
+}
+
+TEST(OutputFolder, ReplacesALinkAndNotWhatItNames) {
+    const ScratchFolder scratch;
+    write_text(scratch.path() / "elsewhere", "old");
+    fs::create_symlink("elsewhere", scratch.path() / "a");
+    OutputFolder output = opened(scratch.path());
+    ASSERT_TRUE(output.stage("a", bytes_of("new")));
+    ASSERT_TRUE(output.publish("a"));
+    EXPECT_EQ(read_text(scratch.path() / "elsewhere"), "old");
+    EXPECT_EQ(read_text(scratch.path() / "a"), "new");
+}
+
+TEST(OutputFolder, AnInterruptComesBeforeTheFirstRename) {
+    const ScratchFolder scratch;
+    write_text(scratch.path() / "a", "old");
+    {
+        OutputFolder output = opened(scratch.path());
+        ASSERT_TRUE(output.stage("a", bytes_of("new")));
+        request_interrupt();
+        const Status status = output.publish("a");
+        clear_interrupt();
+        ASSERT_FALSE(status);
+        EXPECT_EQ(status.issue().code, IssueCode::interrupted);
+    }
+    EXPECT_EQ(read_text(scratch.path() / "a"), "old");
+    EXPECT_EQ(names_in(scratch.path()), Names{"a"});
 }
 
 TEST(OutputFolder, SyncsToDiskWhenAsked) {
@@ -158,7 +206,7 @@ TEST(OutputFolder, RefusesNamesThatArePaths) {
     EXPECT_EQ(names_in(scratch.path()), Names{});
 }
 
-TEST(OutputFolder, LeavesWholeFilesWhenAPublishFails) {
+TEST(OutputFolder, ChangesNothingWhenAPublishCannotSucceed) {
     const ScratchFolder scratch;
     fs::create_directories(scratch.path() / "b/full");  // a folder that no file can replace
     write_text(scratch.path() / "c", "old");
@@ -170,8 +218,7 @@ TEST(OutputFolder, LeavesWholeFilesWhenAPublishFails) {
         ASSERT_FALSE(status);
         EXPECT_EQ(status.issue().code, IssueCode::io_write);
     }
-    EXPECT_EQ(names_in(scratch.path()), (Names{"a", "b", "c"})) << "no manifest, no temporary file";
-    EXPECT_EQ(read_text(scratch.path() / "a"), "new");
+    EXPECT_EQ(names_in(scratch.path()), (Names{"b", "c"})) << "no new file, no temporary file";
     EXPECT_EQ(read_text(scratch.path() / "c"), "old");
 }
 

@@ -123,5 +123,12 @@ TEST(Grouped, SetsCommasEveryThreeDigits) {
     EXPECT_EQ(grouped(18446744073709551615ull), "18,446,744,073,709,551,615");
 }
 
+TEST(Counted, AgreesWithItsNumber) {
+    EXPECT_EQ(counted(0, "animal"), "0 animals");
+    EXPECT_EQ(counted(1, "animal"), "1 animal");
+    EXPECT_EQ(counted(2'500, "vertex", "vertices"), "2,500 vertices");
+    EXPECT_EQ(counted(1, "vertex", "vertices"), "1 vertex");
+}
+
 }  // namespace
 }  // namespace posepack::base

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include <clocale>
 #include <cstdlib>
 #include <stdexcept>
@@ -200,6 +202,16 @@ TEST(NameOf, NamesEveryValue) {
     EXPECT_EQ(name_of(Wrap::ping_pong), "ping-pong");
     EXPECT_EQ(name_of(Seam::open), "open");
     EXPECT_EQ(name_of(ForwardAxis::minus_x), "-x");
+}
+
+TEST(Catalog, MinusZeroIsZero) {
+    const auto catalog = read_catalog(
+        R"({"schema":1,"animals":{"a":{"model":"a.glb","clips":[{"name":"x","speed_mps":-0.0,"stride_phase":-0.0}]}}})");
+    ASSERT_TRUE(catalog);
+    const ClipWish& wish = catalog.value().animals[0].clips[0];
+    EXPECT_FALSE(std::signbit(wish.speed_mps));
+    EXPECT_FALSE(std::signbit(wish.stride_phase));
+    EXPECT_EQ(catalog.value().animals[0].canonical_json.find("-0"), std::string::npos);
 }
 
 }  // namespace
