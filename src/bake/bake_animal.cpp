@@ -58,6 +58,12 @@ base::Status plan_clips(const Animal& animal, const std::vector<ClipChoice>& cho
         palette::PaletteClip out;
         out.source = choice.source;
         out.plan = motion::plan_rows(animal, clip, sampler, points, palette.radius, choice.wish);
+        if (!std::isfinite(static_cast<float>(out.plan.seam_gap)))
+            return Issue{
+                IssueCode::glb_no_extent, clip.name,
+                fmt::format("expected a model that moves by at most 3.4e38 times its size, it moves by "
+                            "{:.3g} times its radius of {:.3g}",
+                            out.plan.seam_gap, palette.radius)};
         out.first_row = static_cast<std::uint32_t>(rows);
         out.speed_mps = choice.speed_mps;
         out.stride_phase = choice.stride_phase;

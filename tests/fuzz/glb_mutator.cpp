@@ -20,13 +20,46 @@ using Bytes = std::vector<std::uint8_t>;
 using Random = std::minstd_rand;
 
 // Counts, indices, enumerators and floats on which readers break.
-constexpr std::array<std::string_view, 40> kNumbers{
-    "0",    "1",     "2",     "3",          "4",          "5",          "-1",         "-2",
-    "7",    "8",     "16",    "255",        "256",        "65535",      "65536",      "0.5",
-    "-0.0", "1e-30", "1e30",  "1e38",       "3.5e38",     "1e308",      "-1e308",     "2147483647",
-    "5120", "5121",  "5122",  "5123",       "5125",       "5126",       "4294967295", "4294967296",
-    "null", "[]",    "1e999", "-2147483648", "1099511627776", "4611686018427387904", "9223372036854775807",
-    "18446744073709551615"};
+constexpr std::array<std::string_view, 40> kNumbers{"0",
+                                                    "1",
+                                                    "2",
+                                                    "3",
+                                                    "4",
+                                                    "5",
+                                                    "-1",
+                                                    "-2",
+                                                    "7",
+                                                    "8",
+                                                    "16",
+                                                    "255",
+                                                    "256",
+                                                    "65535",
+                                                    "65536",
+                                                    "0.5",
+                                                    "-0.0",
+                                                    "1e-30",
+                                                    "1e30",
+                                                    "1e38",
+                                                    "3.5e38",
+                                                    "1e308",
+                                                    "-1e308",
+                                                    "2147483647",
+                                                    "5120",
+                                                    "5121",
+                                                    "5122",
+                                                    "5123",
+                                                    "5125",
+                                                    "5126",
+                                                    "4294967295",
+                                                    "4294967296",
+                                                    "null",
+                                                    "[]",
+                                                    "1e999",
+                                                    "-2147483648",
+                                                    "1099511627776",
+                                                    "4611686018427387904",
+                                                    "9223372036854775807",
+                                                    "18446744073709551615"};
 
 bool is_number_character(std::uint8_t c) {
     return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.' || c == 'e' || c == 'E';
@@ -107,7 +140,8 @@ Bytes assemble(const Bytes& json, const Bytes& bin) {
     append_chunk(out, 0x4E4F534A, json, ' ');
     if (!bin.empty()) append_chunk(out, 0x004E4942, bin, 0);
     const auto size = static_cast<std::uint32_t>(out.size());
-    for (int i = 0; i < 4; ++i) out[static_cast<std::size_t>(8 + i)] = static_cast<std::uint8_t>(size >> (8 * i));
+    for (int i = 0; i < 4; ++i)
+        out[static_cast<std::size_t>(8 + i)] = static_cast<std::uint8_t>(size >> (8 * i));
     return out;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Fuzz target: the bytes of a GLB, through reader, sampler, encoder, container writer, loader and measurement,
-// to finished rows. One call of bake_animal is what `posepack bake` makes of a model; harnesses that stop at
-// the parser miss what lies behind it.
+// Fuzz target: the bytes of a GLB, through reader, sampler, encoder, container writer, loader and
+// measurement, to finished rows. One call of bake_animal is what `posepack bake` makes of a model; harnesses
+// that stop at the parser miss what lies behind it.
 //
 // Beyond crashes and sanitizer reports it holds that whatever was baked opens, that every matrix read back is
 // finite, and that no input leads to E-INTERNAL or to a container which our own loader refuses.

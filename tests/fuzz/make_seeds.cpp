@@ -24,7 +24,8 @@ void write(const fs::path& path, const std::vector<std::uint8_t>& bytes) {
 support::ModelSpec slider(const std::string& interpolation) {
     support::ModelSpec spec = support::one_bone();
     support::ChannelSpec channel{0, "translation", {0.0f, 0.1f}, {0, 0, 0, 1, 0, 0}, interpolation};
-    if (interpolation == "CUBICSPLINE") channel.values = {0, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0};
+    if (interpolation == "CUBICSPLINE")
+        channel.values = {0, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0};
     spec.clips.push_back({"Rig|Slide", {channel}});
     return spec;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Fuzz target: bytes to the loader. They are opened as they are, and once more with every checksum made right,
-// so that what lies behind the checksums is met too. Whatever opens is read completely.
+// Fuzz target: bytes to the loader. They are opened as they are, and once more with every checksum made
+// right, so that what lies behind the checksums is met too. Whatever opens is read completely.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>

@@ -3,8 +3,8 @@
 //
 //     replay [--explain] FILE-OR-FOLDER...
 //
-// --explain prints what became of each file. Fails when it finds no file; a crash ends it, after the name of the
-// input was printed.
+// --explain prints what became of each file. Fails when it finds no file; a crash ends it, after the name of
+// the input was printed.
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
