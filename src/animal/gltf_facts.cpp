@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "animal/gltf_rules.hpp"
 #include "base/text.hpp"
 
 namespace posepack::animal {
@@ -50,8 +51,18 @@ enum class Section : std::uint8_t { other, buffers, meshes, animations, required
 
 // Keys below the root that matter somewhere.
 enum class KeyName : std::uint8_t {
-    other, uri, byte_length, extensions, meshopt, fallback, primitives, indices,
-    channels, sampler, animation_pointer, pointer
+    other,
+    uri,
+    byte_length,
+    extensions,
+    meshopt,
+    fallback,
+    primitives,
+    indices,
+    channels,
+    sampler,
+    animation_pointer,
+    pointer
 };
 
 struct NamedKey {
@@ -84,8 +95,10 @@ class FactVisitor final : public base::JsonVisitor {
     explicit FactVisitor(bool keep_data_uris) : keep_data_uris_(keep_data_uris) {}
 
     GltfFacts facts;
+    GltfRules rules;
 
     void key(std::string_view name, std::size_t offset) override {
+        rules.key(name, depth_);
         if (depth_ == 1) {
             open_section(name, offset);
         } else if (section_ != Section::other && depth_ < keys_.size()) {
@@ -96,11 +109,13 @@ class FactVisitor final : public base::JsonVisitor {
     }
 
     void text(std::string_view value) override {
+        rules.text(value, depth_);
         if (section_ == Section::buffers && is_at(3, KeyName::uri)) {
             const bool keep = keep_data_uris_ && value.starts_with("data:");
             facts.buffers.back().has_uri = true;
             facts.buffers.back().uri = keep ? value : value.substr(0, kShownUriBytes);
-        } else if (section_ == Section::animations && is_at(8, KeyName::pointer, 7, KeyName::animation_pointer)) {
+        } else if (section_ == Section::animations &&
+                   is_at(8, KeyName::pointer, 7, KeyName::animation_pointer)) {
             channel_.pointer = value;
         } else if (section_ == Section::required && depth_ == 2 && facts.unknown_extension.empty() &&
                    std::find(kKnownExtensions.begin(), kKnownExtensions.end(), value) ==
@@ -110,6 +125,7 @@ class FactVisitor final : public base::JsonVisitor {
     }
 
     void number(double value) override {
+        rules.number(value, depth_);
         if (section_ == Section::buffers && is_at(3, KeyName::byte_length))
             facts.buffers.back().byte_length = value;
         else if (section_ == Section::animations && is_at(5, KeyName::sampler, 3, KeyName::channels))
@@ -119,12 +135,14 @@ class FactVisitor final : public base::JsonVisitor {
     }
 
     void truth(bool value) override {
+        rules.truth(depth_);
         if (section_ == Section::buffers && is_at(5, KeyName::fallback, 4, KeyName::meshopt) &&
             keys_[3] == KeyName::extensions)
             facts.buffers.back().is_fallback = value;
     }
 
     void open(bool is_array) override {
+        rules.open(depth_, is_array);
         if (depth_ == 0) facts.root_is_object = !is_array;
         if (section_ != Section::other) begin_item(is_array);
         ++depth_;
@@ -156,8 +174,7 @@ class FactVisitor final : public base::JsonVisitor {
             keys_[depth_ + 1] = KeyName::other;
         }
         if (depth_ == 2 && section_ == Section::buffers && !is_array) facts.buffers.emplace_back();
-        if (depth_ == 4 && section_ == Section::animations)
-            channel_ = {counts_[2], counts_[4], -1, {}};
+        if (depth_ == 4 && section_ == Section::animations) channel_ = {counts_[2], counts_[4], -1, {}};
     }
 
     bool is_at(std::size_t depth, KeyName key) const { return depth_ == depth && keys_[depth] == key; }
@@ -228,10 +245,12 @@ base::Result<GltfFacts> read_gltf_facts(std::string_view json, bool allow_data_u
     const GltfFacts& facts = visitor.facts;
     if (!facts.root_is_object)
         return Issue{IssueCode::glb_json, "", "expected a JSON object as the root, found another value"};
+    if (auto status = visitor.rules.status(); !status) return status.issue();
     if (!facts.unknown_extension.empty())
         return Issue{IssueCode::glb_extension, "extensionsRequired",
                      fmt::format("this posepack does not read {}", facts.unknown_extension)};
     if (auto status = check_buffers(facts, allow_data_uris); !status) return status.issue();
+    visitor.facts.has_target = visitor.rules.has_target();
     return std::move(visitor.facts);
 }
 

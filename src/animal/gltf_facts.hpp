@@ -36,6 +36,7 @@ struct GltfFacts {
     std::vector<BufferFacts> buffers;
     std::vector<PointerChannel> pointers;
     std::vector<PrimitiveIndices> indices;  // in the order of the file
+    bool has_target = false;                // some channel says what it moves
     std::string unknown_extension;          // required, but not read; empty: none
     // Where the opening quotes of keys stand that tinygltf must not see: "buffers" and "images" (it would
     // map each buffer without a uri to the BIN chunk, and read images out of range), and the "indices" of
@@ -49,8 +50,8 @@ struct GltfFacts {
 // Checks the JSON chunk and gathers its facts, in one streaming pass.
 // Errors: E-GLB-JSON*, E-GLB-NUMBER, E-LIM-JSON-DEPTH; E-GLB-JSON when the root is no object; E-GLB-EXTENSION
 // for a required extension that posepack neither reads nor may ignore; E-GLB-URI for a buffer outside the
-// file, unless it is a fallback, or a data URI and `allow_data_uris` is set; E-GLB-SCHEMA for a buffer without
-// a length.
+// file, unless it is a fallback, or a data URI and `allow_data_uris` is set; E-GLB-SCHEMA for a buffer
+// without a length; those of GltfRules.
 base::Result<GltfFacts> read_gltf_facts(std::string_view json, bool allow_data_uris);
 
 // The text again with the first letter of each hidden key changed, so that nobody knows it.

@@ -39,8 +39,8 @@ base::Result<LoadedGltf> load_gltf(std::span<const std::uint8_t> bytes, const Re
 
     // tinygltf sees the JSON alone: buffers are ours (BufferViews), and images nobody needs.
     const std::string text = with_hidden_keys(json, facts.value());
-    LoadedGltf loaded{std::make_unique<tinygltf::Model>(), std::move(facts).value(), glb.value().bin, bytes.size(),
-                      glb.value().unknown_chunk_count};
+    LoadedGltf loaded{std::make_unique<tinygltf::Model>(), std::move(facts).value(), glb.value().bin,
+                      bytes.size(), glb.value().unknown_chunk_count};
     tinygltf::TinyGLTF parser;
     std::string error;
     std::string warning;
@@ -51,6 +51,12 @@ base::Result<LoadedGltf> load_gltf(std::span<const std::uint8_t> bytes, const Re
     } catch (const std::exception& exception) {
         error = exception.what();
     }
+    // tinygltf refuses some valid files. Where nothing moves, that is the answer, whatever else is said of
+    // the file.
+    if (!loaded.facts.has_target)
+        return Issue{IssueCode::glb_no_animation, "animations",
+                     fmt::format("expected a channel that moves something, found none (and: {})",
+                                 base::shortened(without_line_end(error), 160))};
     return Issue{IssueCode::glb_schema, "",
                  "expected glTF 2.0, found: " + base::shortened(without_line_end(error), 200)};
 }

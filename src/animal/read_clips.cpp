@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <tuple>
 #include <unordered_map>
 
 #include "animal/names.hpp"
@@ -95,8 +97,8 @@ class ChannelReader {
         else if (name == "CUBICSPLINE")
             channel.interpolation = Interpolation::cubic_spline;
         else
-            return Issue{IssueCode::glb_channel, place.text(),
-                         fmt::format("unknown interpolation '{}'", name.substr(0, 64))};
+            return Issue{IssueCode::glb_interpolation, place.text(),
+                         fmt::format("expected LINEAR, STEP or CUBICSPLINE, found '{}'", name.substr(0, 64))};
         return {};
     }
 
@@ -109,7 +111,8 @@ class ChannelReader {
         }
         auto& pool = context_.animal.key_times;
         const std::size_t first = pool.size();
-        const auto added = context_.accessors.append_floats(accessor, {place, TINYGLTF_TYPE_SCALAR, {kFloat}}, pool);
+        const auto added =
+            context_.accessors.append_floats(accessor, {place, TINYGLTF_TYPE_SCALAR, {kFloat}}, pool);
         if (!added) return added.issue();
         if (added.value() > kMaxKeys)
             return Issue{IssueCode::lim_count, place.text(),
@@ -124,6 +127,13 @@ class ChannelReader {
     base::Status read_values(int accessor, const Place& place, Channel& channel, ClipRepairs& repairs) {
         const bool rotation = channel.path == Path::rotation;
         const bool cubic = channel.interpolation == Interpolation::cubic_spline;
+        // Channels may share an output: read again for each, a small file would ask for its values a thousand
+        // times.
+        const Values key{accessor, rotation, cubic, channel.key_count};
+        if (const auto known = values_.find(key); known != values_.end()) {
+            channel.first_value = known->second;
+            return {};
+        }
         const AccessorUse use{place,
                               rotation ? TINYGLTF_TYPE_VEC4 : TINYGLTF_TYPE_VEC3,
                               {kFloat, kByte, kUnsignedByte, kShort, kUnsignedShort}};
@@ -138,12 +148,17 @@ class ChannelReader {
                                      added.value())};
         pool.resize(first + needed);
         channel.first_value = static_cast<std::uint32_t>(first);
+        values_.emplace(key, channel.first_value);
         if (!rotation) return {};
         return check_rotations(std::span(pool).subspan(first), cubic, place, repairs);
     }
 
+    // How an output accessor is read: its index, as rotations, as cubic splines, for how many keys.
+    using Values = std::tuple<int, bool, bool, std::uint32_t>;
+
     ReadContext& context_;
     std::unordered_map<int, Channel> times_;
+    std::map<Values, std::uint32_t> values_;  // where the values of each begin
 };
 
 // The channels of one clip by what they move.
@@ -153,7 +168,8 @@ class Targets {
 
     // The last of several channels on one target wins (glTF 2.0 section 3.11 forbids them).
     void add(Clip& clip, const Channel& channel, ClipRepairs& repairs) {
-        std::uint32_t& slot = channels_[channel.node * std::size_t{3} + static_cast<std::size_t>(channel.path)];
+        std::uint32_t& slot =
+            channels_[channel.node * std::size_t{3} + static_cast<std::size_t>(channel.path)];
         if (slot == kNone) {
             slot = static_cast<std::uint32_t>(clip.channels.size());
             clip.channels.push_back(channel);
