@@ -15,7 +15,7 @@ import struct
 NOT_COUNTED = "-"
 EXIT_OK, EXIT_MALFORMED, EXIT_UNSUPPORTED, EXIT_LIMIT = 0, 3, 5, 6
 EXIT_OF_CATEGORY = {"ok": 0, "io": 2, "malformed_glb": 3, "malformed_catalog": 4, "unsupported": 5, "limit": 6,
-                    "bad_container": 7, "mismatch": 8, "internal": 70, "usage": 1}
+                    "bad_container": 7, "mismatch": 8, "internal": 70, "usage": 1, "interrupted": 130}
 # What may be said of a file in which nothing moves: that, or what makes the rest unreadable.
 STILL_ISSUES = {"E-GLB-NO-ANIMATION", "E-GLB-MORPH-ONLY", "E-GLB-URI", "E-GLB-EXTENSION", "E-GLB-VERSION"}
 
@@ -89,6 +89,13 @@ def verdict_of(text):
     return "warned" if said.startswith("W:") else "error"
 
 
+def _moves_node(target):
+    if target.get("path") == "pointer":
+        pointer = target["extensions"]["KHR_animation_pointer"]["pointer"]
+        return re.fullmatch(r"/nodes/\d+/(translation|rotation|scale)", pointer) is not None
+    return "node" in target and target.get("path") in ("translation", "rotation", "scale")
+
+
 def moves(path):
     """Whether a channel of the GLB names a node's translation, rotation or scale; None when that cannot be told."""
     with open(path, "rb") as file:
@@ -98,8 +105,7 @@ def moves(path):
         document = json.loads(data[20:20 + size].decode())
         targets = [channel["target"] for animation in document.get("animations", [])
                    for channel in animation.get("channels", [])]
-        return any("node" in target and target.get("path") in ("translation", "rotation", "scale")
-                   for target in targets)
+        return any(_moves_node(target) for target in targets)
     except (struct.error, ValueError, KeyError, TypeError, AttributeError, RecursionError):
         return None
 
