@@ -7,7 +7,6 @@
 namespace posepack::animal {
 namespace {
 
-constexpr std::size_t kMaxNeighbourTests = 200'000'000;  // below a second
 constexpr double kSumTolerance = 1e-3;  // beyond it a sum is reported; smaller ones are rounding
 
 struct Influence {
@@ -54,14 +53,15 @@ void gather(std::span<const std::uint16_t> bones, std::span<const float> weights
     }
     // Insertion sort: stable, and these are few.
     for (std::size_t i = 1; i < out.size(); ++i)
-        for (std::size_t k = i; k > 0 && out[k].weight > out[k - 1].weight; --k) std::swap(out[k], out[k - 1]);
+        for (std::size_t k = i; k > 0 && out[k].weight > out[k - 1].weight; --k)
+            std::swap(out[k], out[k - 1]);
 }
 
 }  // namespace
 
 WeightRepairs reduce_weights(std::span<const std::uint16_t> bones, std::span<const float> weights,
                              std::size_t influences, std::span<const std::array<float, 3>> positions,
-                             Vertices& out) {
+                             std::uint64_t& tests_left, Vertices& out) {
     WeightRepairs repairs;
     const std::size_t count = positions.size();
     const std::size_t first = out.bones.size();
@@ -95,10 +95,12 @@ WeightRepairs reduce_weights(std::span<const std::uint16_t> bones, std::span<con
         out.weights.push_back(vertex_weights);
     }
     const auto good_count = static_cast<std::size_t>(std::count(good.begin(), good.end(), true));
-    if (good_count * (count - good_count) > kMaxNeighbourTests) {
+    const std::uint64_t tests = std::uint64_t{good_count} * (count - good_count);
+    if (tests > tests_left) {
         repairs.hopeless = true;
         return repairs;
     }
+    tests_left -= tests;
     for (std::size_t v = 0; v < count; ++v) {
         if (good[v]) continue;
         ++repairs.none_left;

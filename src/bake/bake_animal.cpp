@@ -58,12 +58,6 @@ base::Status plan_clips(const Animal& animal, const std::vector<ClipChoice>& cho
         palette::PaletteClip out;
         out.source = choice.source;
         out.plan = motion::plan_rows(animal, clip, sampler, points, palette.radius, choice.wish);
-        if (!std::isfinite(static_cast<float>(out.plan.seam_gap)))
-            return Issue{
-                IssueCode::glb_no_extent, clip.name,
-                fmt::format("expected a model that moves by at most 3.4e38 times its size, it moves by "
-                            "{:.3g} times its radius of {:.3g}",
-                            out.plan.seam_gap, palette.radius)};
         out.first_row = static_cast<std::uint32_t>(rows);
         out.speed_mps = choice.speed_mps;
         out.stride_phase = choice.stride_phase;
@@ -107,6 +101,18 @@ base::Status sample_clips(const Animal& animal, Palette& palette) {
     return {};
 }
 
+// A gap is stored as a fraction of the radius, and a motion may be beyond all measure of a tiny model.
+base::Status check_seam_gaps(const Animal& animal, const Palette& palette) {
+    for (const palette::PaletteClip& clip : palette.clips)
+        if (!std::isfinite(static_cast<float>(clip.plan.seam_gap)))
+            return Issue{
+                IssueCode::glb_no_extent, animal.clips[clip.source].name,
+                fmt::format("expected ends of the clip at most 3.4e38 radii apart, found {:.3g} radii "
+                            "of {:.3g}",
+                            clip.plan.seam_gap, palette.radius)};
+    return {};
+}
+
 base::Result<Palette> make_palette(const recipe::AnimalEntry& entry, const Animal& animal,
                                    const motion::SkinSet& points, std::vector<Issue>& findings) {
     auto choices = select_clips(animal, entry);
@@ -131,6 +137,7 @@ base::Result<Palette> make_palette(const recipe::AnimalEntry& entry, const Anima
     if (!layout) return layout.issue();
     palette.layout = layout.value();
     if (auto status = sample_clips(animal, palette); !status) return status.issue();
+    if (auto status = check_seam_gaps(animal, palette); !status) return status.issue();
     return palette;
 }
 
