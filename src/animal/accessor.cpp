@@ -76,8 +76,7 @@ base::Result<ElementSpan> AccessorReader::open_view(int view_index, std::size_t 
     const auto bytes = views_.bytes(view_index);
     if (!bytes) return bytes.issue();
     ElementShape strided = shape;
-    strided.stride_bytes =
-        is_tight ? 0 : model().bufferViews[static_cast<std::size_t>(view_index)].byteStride;
+    strided.stride_bytes = is_tight ? 0 : model().bufferViews[static_cast<std::size_t>(view_index)].byteStride;
     return ElementSpan::over(bytes.value(), byte_offset, strided);
 }
 
@@ -95,8 +94,7 @@ base::Status AccessorReader::open_draco(const AccessorUse& use, Source& source) 
 
 base::Result<AccessorReader::Source> AccessorReader::open(int index, const AccessorUse& use) {
     if (index < 0 || static_cast<std::size_t>(index) >= model().accessors.size())
-        return Issue{IssueCode::glb_reference, use.place.text(),
-                     fmt::format("accessor {} does not exist", index)};
+        return Issue{IssueCode::glb_reference, use.place.text(), fmt::format("accessor {} does not exist", index)};
     const tinygltf::Accessor& accessor = model().accessors[static_cast<std::size_t>(index)];
     if (accessor.type != use.type || std::find(use.components.begin(), use.components.end(),
                                                accessor.componentType) == use.components.end())
@@ -136,21 +134,18 @@ base::Status AccessorReader::read_sparse(const Source& source, T* out) {
     if (sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0) return refuse("an offset is negative");
     const auto count = static_cast<std::size_t>(sparse.count);
     // Both streams are tightly packed whatever their views say (glTF 2.0 section 3.6.2.3).
-    const auto indices =
-        open_view(sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset),
-                  {count, 1, index_type, 0}, true);
+    const auto indices = open_view(sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset),
+                                   {count, 1, index_type, 0}, true);
     if (!indices) return indices.issue();
-    const auto values =
-        open_view(sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset),
-                  {count, source.shape.components, source.shape.component, 0}, true);
+    const auto values = open_view(sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset),
+                                  {count, source.shape.components, source.shape.component, 0}, true);
     if (!values) return values.issue();
     std::size_t next = 0;
     for (std::size_t i = 0; i < count; ++i) {
         std::uint32_t target = 0;
         indices.value().copy_element(i, &target);
         if (target < next || target >= source.shape.count)
-            return refuse(
-                fmt::format("index {} is {}, expected {} to {}", i, target, next, source.shape.count - 1));
+            return refuse(fmt::format("index {} is {}, expected {} to {}", i, target, next, source.shape.count - 1));
         source.copy_one(values.value(), i, out + target * source.shape.components);
         next = std::size_t{target} + 1;
     }

@@ -101,9 +101,8 @@ base::Result<ByteSpan> BufferViews::buffer(double index) {
                      fmt::format("buffer {} has no uri, and only the first one may be the BIN chunk", b)};
     }
     if (facts.byte_length > static_cast<double>(bytes.size()))
-        return Issue{
-            IssueCode::glb_view_range, "",
-            fmt::format("buffer {} declares {} bytes, found {}", b, facts.byte_length, bytes.size())};
+        return Issue{IssueCode::glb_view_range, "",
+                     fmt::format("buffer {} declares {} bytes, found {}", b, facts.byte_length, bytes.size())};
     return bytes.first(static_cast<std::size_t>(facts.byte_length));
 }
 
@@ -159,9 +158,9 @@ base::Result<ByteSpan> BufferViews::bytes(int view_index) {
         return Issue{IssueCode::glb_reference, "", fmt::format("buffer view {} does not exist", view_index)};
     const tinygltf::BufferView& view = views[static_cast<std::size_t>(view_index)];
     const tinygltf::Value* compression = view.extensions.empty() ? nullptr : compression_of(view);
-    auto found = compression != nullptr ? decode(view, *compression, view_index)
-                                        : slice(view.buffer, static_cast<double>(view.byteOffset),
-                                                static_cast<double>(view.byteLength));
+    auto found = compression != nullptr
+                     ? decode(view, *compression, view_index)
+                     : slice(view.buffer, static_cast<double>(view.byteOffset), static_cast<double>(view.byteLength));
     if (!found) return base::at(fmt::format("bufferViews/{}", view_index), found.issue());
     return found;
 }

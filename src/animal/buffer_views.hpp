@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// BufferViews: the bytes of each buffer view, wherever they come from: the BIN chunk, a data URI, or a stream
-// of EXT_meshopt_compression, decoded when its view is first asked for.
+// BufferViews: the bytes of each buffer view, wherever they come from: the BIN chunk, a data URI, or a stream of
+// EXT_meshopt_compression, decoded when its view is first asked for.
 #pragma once
 
 #include <cstdint>

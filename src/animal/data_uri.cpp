@@ -35,12 +35,10 @@ base::Result<std::vector<std::uint8_t>> decode_data_uri(std::string_view uri, De
     for (std::size_t i = 0; i < text.size(); ++i) {
         const int value = sextet(text[i]);
         if (value < 0)
-            return Issue{IssueCode::glb_uri, "",
-                         fmt::format("letter {} of the data URI is no base64", comma + 1 + i)};
+            return Issue{IssueCode::glb_uri, "", fmt::format("letter {} of the data URI is no base64", comma + 1 + i)};
         bits = bits << 6 | static_cast<std::uint32_t>(value);
         if (i % 4 == 3)
-            for (int shift = 16; shift >= 0; shift -= 8)
-                out.push_back(static_cast<std::uint8_t>(bits >> shift));
+            for (int shift = 16; shift >= 0; shift -= 8) out.push_back(static_cast<std::uint8_t>(bits >> shift));
     }
     // Two or three letters are left: 12 or 18 bits, of which the first 8 or 16 count.
     if (text.size() % 4 == 2) out.push_back(static_cast<std::uint8_t>(bits >> 4));

@@ -43,8 +43,8 @@ base::Result<StreamFacts> read_header(std::span<const std::uint8_t> bytes) {
     if (!draco::PointCloudDecoder::DecodeHeader(&buffer, &header).ok())
         return malformed("expected a stream that begins with 'DRACO'");
     if (header.version_major != kBitstreamMajor || header.version_minor != kBitstreamMinor)
-        return malformed(
-            fmt::format("expected bitstream 2.2, found {}.{}", header.version_major, header.version_minor));
+        return malformed(fmt::format("expected bitstream 2.2, found {}.{}", header.version_major,
+                                     header.version_minor));
     if (header.encoder_type != draco::TRIANGULAR_MESH)
         return malformed("expected a triangle mesh, found a point cloud");
     const std::uint16_t version = DRACO_BITSTREAM_VERSION(kBitstreamMajor, kBitstreamMinor);
@@ -73,10 +73,9 @@ base::Result<StreamFacts> read_header(std::span<const std::uint8_t> bytes) {
 
 base::Status check_limits(const StreamFacts& facts, const DracoLimits& limits) {
     if (facts.face_count <= limits.face_count && facts.point_count <= limits.point_count) return {};
-    return Issue{
-        IssueCode::lim_decoded, "",
-        fmt::format("the Draco stream asks for {} points and {} faces, its accessors declare {} and {}",
-                    facts.point_count, facts.face_count, limits.point_count, limits.face_count)};
+    return Issue{IssueCode::lim_decoded, "",
+                 fmt::format("the Draco stream asks for {} points and {} faces, its accessors declare {} and {}",
+                             facts.point_count, facts.face_count, limits.point_count, limits.face_count)};
 }
 
 // A decoder that looks at what the attributes ask for before it makes room for them. An edgebreaker stream
@@ -105,8 +104,7 @@ class BoundedDecoder final : public Decoder {
             const draco::PointAttribute& attribute = *cloud.attribute(a);
             const int value_bytes = std::max(4, draco::DataTypeLength(attribute.data_type()));
             const auto bytes = static_cast<std::uint64_t>(value_bytes) * attribute.num_components();
-            if (auto status = budget_.take(cloud.num_points(), kCopiesPerValue * bytes); !status)
-                return status;
+            if (auto status = budget_.take(cloud.num_points(), kCopiesPerValue * bytes); !status) return status;
         }
         return {};
     }
@@ -182,9 +180,10 @@ base::Result<DracoMesh> DracoMesh::decode(std::span<const std::uint8_t> bytes, c
     if (auto status = check_limits(header.value(), limits); !status) return status.issue();
     if (auto status = budget.take(header.value().face_count, kBytesPerFace); !status) return status.issue();
     auto body = std::make_unique<Body>();
-    const auto status = header.value().method == draco::MESH_SEQUENTIAL_ENCODING
-                            ? decode_with<draco::MeshSequentialDecoder>(bytes, limits, budget, body->mesh)
-                            : decode_with<draco::MeshEdgebreakerDecoder>(bytes, limits, budget, body->mesh);
+    const auto status =
+        header.value().method == draco::MESH_SEQUENTIAL_ENCODING
+            ? decode_with<draco::MeshSequentialDecoder>(bytes, limits, budget, body->mesh)
+            : decode_with<draco::MeshEdgebreakerDecoder>(bytes, limits, budget, body->mesh);
     if (!status) return status.issue();
     return DracoMesh(std::move(body));
 }
@@ -202,9 +201,8 @@ base::Result<std::vector<std::uint8_t>> DracoMesh::values(std::uint32_t unique_i
                                      attribute->num_components(), components));
     std::vector<std::uint8_t> out(point_count() * components * component_bytes(component));
     if (!copy_as(component, *attribute, point_count(), out.data()))
-        return malformed(
-            fmt::format("attribute {} has a value that its accessor's component type {} does not hold",
-                        unique_id, component));
+        return malformed(fmt::format("attribute {} has a value that its accessor's component type {} does not hold",
+                                     unique_id, component));
     return out;
 }
 

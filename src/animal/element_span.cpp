@@ -104,13 +104,13 @@ base::Result<ElementSpan> ElementSpan::over(std::span<const std::uint8_t> bytes,
     const std::size_t element_bytes = shape.element_bytes();
     if (shape.stride_bytes == 0) shape.stride_bytes = element_bytes;
     if (shape.stride_bytes < element_bytes || shape.stride_bytes > std::max(kMaxStrideBytes, element_bytes))
-        return Issue{IssueCode::glb_accessor_range, "",
-                     fmt::format("a stride of {} bytes does not fit elements of {}", shape.stride_bytes,
-                                 element_bytes)};
+        return Issue{
+            IssueCode::glb_accessor_range, "",
+            fmt::format("a stride of {} bytes does not fit elements of {}", shape.stride_bytes, element_bytes)};
     const auto outside = [&](const std::string& end) {
         return Issue{IssueCode::glb_accessor_range, "",
-                     fmt::format("{} elements from byte {} on end {}, the buffer view has {} bytes",
-                                 shape.count, offset_bytes, end, bytes.size())};
+                     fmt::format("{} elements from byte {} on end {}, the buffer view has {} bytes", shape.count,
+                                 offset_bytes, end, bytes.size())};
     };
     if (shape.count == 0) return ElementSpan(bytes.data(), shape);
     if (shape.count - 1 > (std::numeric_limits<std::size_t>::max() - element_bytes) / shape.stride_bytes)

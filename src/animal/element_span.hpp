@@ -38,8 +38,8 @@ class ElementSpan {
     std::size_t count() const { return shape_.count; }
     std::size_t components() const { return shape_.components; }
 
-    // Writes element after element into `out`, which holds count() x components() numbers. Normalised
-    // integers become -1..1 or 0..1 by glTF 2.0 section 3.11, others keep their value.
+    // Writes element after element into `out`, which holds count() x components() numbers. Normalised integers
+    // become -1..1 or 0..1 by glTF 2.0 section 3.11, others keep their value.
     void copy_floats(bool normalised, float* out) const;
     void copy_integers(std::uint32_t* out) const;  // unsigned component types alone
 

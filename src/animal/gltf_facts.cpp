@@ -51,18 +51,8 @@ enum class Section : std::uint8_t { other, buffers, meshes, animations, required
 
 // Keys below the root that matter somewhere.
 enum class KeyName : std::uint8_t {
-    other,
-    uri,
-    byte_length,
-    extensions,
-    meshopt,
-    fallback,
-    primitives,
-    indices,
-    channels,
-    sampler,
-    animation_pointer,
-    pointer
+    other, uri, byte_length, extensions, meshopt, fallback, primitives, indices,
+    channels, sampler, animation_pointer, pointer
 };
 
 struct NamedKey {
@@ -114,8 +104,7 @@ class FactVisitor final : public base::JsonVisitor {
             const bool keep = keep_data_uris_ && value.starts_with("data:");
             facts.buffers.back().has_uri = true;
             facts.buffers.back().uri = keep ? value : value.substr(0, kShownUriBytes);
-        } else if (section_ == Section::animations &&
-                   is_at(8, KeyName::pointer, 7, KeyName::animation_pointer)) {
+        } else if (section_ == Section::animations && is_at(8, KeyName::pointer, 7, KeyName::animation_pointer)) {
             channel_.pointer = value;
         } else if (section_ == Section::required && depth_ == 2 && facts.unknown_extension.empty() &&
                    std::find(kKnownExtensions.begin(), kKnownExtensions.end(), value) ==
@@ -174,7 +163,8 @@ class FactVisitor final : public base::JsonVisitor {
             keys_[depth_ + 1] = KeyName::other;
         }
         if (depth_ == 2 && section_ == Section::buffers && !is_array) facts.buffers.emplace_back();
-        if (depth_ == 4 && section_ == Section::animations) channel_ = {counts_[2], counts_[4], -1, {}};
+        if (depth_ == 4 && section_ == Section::animations)
+            channel_ = {counts_[2], counts_[4], -1, {}};
     }
 
     bool is_at(std::size_t depth, KeyName key) const { return depth_ == depth && keys_[depth] == key; }

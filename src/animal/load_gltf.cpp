@@ -39,8 +39,8 @@ base::Result<LoadedGltf> load_gltf(std::span<const std::uint8_t> bytes, const Re
 
     // tinygltf sees the JSON alone: buffers are ours (BufferViews), and images nobody needs.
     const std::string text = with_hidden_keys(json, facts.value());
-    LoadedGltf loaded{std::make_unique<tinygltf::Model>(), std::move(facts).value(), glb.value().bin,
-                      bytes.size(), glb.value().unknown_chunk_count};
+    LoadedGltf loaded{std::make_unique<tinygltf::Model>(), std::move(facts).value(), glb.value().bin, bytes.size(),
+                      glb.value().unknown_chunk_count};
     tinygltf::TinyGLTF parser;
     std::string error;
     std::string warning;

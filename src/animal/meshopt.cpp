@@ -50,8 +50,7 @@ base::Status check_shape(const MeshoptStream& stream) {
         return malformed("expected no filter on indices");
     }
     if (stream.mode == MeshoptMode::triangles && stream.count % 3 != 0)
-        return malformed(
-            fmt::format("expected a multiple of 3 indices for TRIANGLES, found {}", stream.count));
+        return malformed(fmt::format("expected a multiple of 3 indices for TRIANGLES, found {}", stream.count));
     if (stream.filter == MeshoptFilter::octahedral && stride != 4 && stride != 8)
         return malformed(fmt::format("expected a stride of 4 or 8 bytes for OCTAHEDRAL, found {}", stride));
     if (stream.filter == MeshoptFilter::quaternion && stride != 8)
@@ -95,8 +94,8 @@ base::Status check_meshopt(const MeshoptStream& stream) {
     if (stream.bytes.empty()) return malformed("expected a stream, found no bytes");
     const int header = stream.bytes[0];
     if ((header & 0xF0) != mode.header)
-        return malformed(fmt::format("expected a stream of {} that begins with 0x{:02x}, found 0x{:02x}",
-                                     mode.name, mode.header, header));
+        return malformed(fmt::format("expected a stream of {} that begins with 0x{:02x}, found 0x{:02x}", mode.name,
+                                     mode.header, header));
     if ((header & 0x0F) > mode.newest_version)
         return Issue{IssueCode::glb_extension, "",
                      fmt::format("this posepack does not read {} of version {} (0x{:02x}), which "
@@ -104,8 +103,8 @@ base::Status check_meshopt(const MeshoptStream& stream) {
                                  mode.name, header & 0x0F, header)};
     // Divisions keep a count of any size from wrapping.
     if (stream.count / 64 > stream.bytes.size() || fewest_bytes(stream) > stream.bytes.size())
-        return malformed(fmt::format("{} elements of {} bytes cannot come from a stream of {} bytes",
-                                     stream.count, stream.stride_bytes, stream.bytes.size()));
+        return malformed(fmt::format("{} elements of {} bytes cannot come from a stream of {} bytes", stream.count,
+                                     stream.stride_bytes, stream.bytes.size()));
     return {};
 }
 

@@ -34,12 +34,11 @@ base::Status report_repairs(ReadContext& context, const WeightRepairs& repairs, 
 base::Status append(ReadContext& context, const Primitive& primitive, const std::string& where) {
     Vertices& vertices = context.animal.vertices;
     const std::size_t first = vertices.positions.size();
-    vertices.positions.insert(vertices.positions.end(), primitive.positions.begin(),
-                              primitive.positions.end());
+    vertices.positions.insert(vertices.positions.end(), primitive.positions.begin(), primitive.positions.end());
     vertices.normals.insert(vertices.normals.end(), primitive.normals.begin(), primitive.normals.end());
-    const auto repairs =
-        reduce_weights(primitive.bones, primitive.weights, primitive.influences,
-                       std::span(vertices.positions).subspan(first), context.neighbour_tests_left, vertices);
+    const auto repairs = reduce_weights(primitive.bones, primitive.weights, primitive.influences,
+                                        std::span(vertices.positions).subspan(first),
+                                        context.neighbour_tests_left, vertices);
     return report_repairs(context, repairs, where);
 }
 

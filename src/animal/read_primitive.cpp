@@ -16,8 +16,7 @@ using base::IssueCode;
 
 constexpr const char* kDracoExtension = "KHR_draco_mesh_compression";
 constexpr std::size_t kMaxInfluenceSets = 4;
-constexpr std::array<std::string_view, kMaxInfluenceSets> kJoints{"JOINTS_0", "JOINTS_1", "JOINTS_2",
-                                                                  "JOINTS_3"};
+constexpr std::array<std::string_view, kMaxInfluenceSets> kJoints{"JOINTS_0", "JOINTS_1", "JOINTS_2", "JOINTS_3"};
 constexpr std::array<std::string_view, kMaxInfluenceSets> kWeights{"WEIGHTS_0", "WEIGHTS_1", "WEIGHTS_2",
                                                                    "WEIGHTS_3"};
 
@@ -67,8 +66,7 @@ class PrimitiveReader {
         if (!draco_) return std::nullopt;
         const tinygltf::Value& attributes = source_.extensions.at(kDracoExtension).Get("attributes");
         const std::string key(name);
-        if (!attributes.IsObject() || !attributes.Has(key) || !attributes.Get(key).IsInt())
-            return std::nullopt;
+        if (!attributes.IsObject() || !attributes.Has(key) || !attributes.Get(key).IsInt()) return std::nullopt;
         return static_cast<std::uint32_t>(attributes.Get(key).Get<int>());
     }
 
@@ -114,8 +112,7 @@ class PrimitiveReader {
 
     base::Status read_geometry() {
         if (auto status = read_triples("POSITION", out_.positions); !status) return status;
-        if (accessor_of(source_, "NORMAL") < 0)
-            return out_.normals.resize(out_.positions.size()), base::Status{};
+        if (accessor_of(source_, "NORMAL") < 0) return out_.normals.resize(out_.positions.size()), base::Status{};
         if (auto status = read_triples("NORMAL", out_.normals); !status) return status;
         if (out_.normals.size() == out_.positions.size()) return {};
         return Issue{
