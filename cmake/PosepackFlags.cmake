@@ -25,6 +25,11 @@ if(POSEPACK_SANITIZE)
     target_compile_options(posepack_common_flags INTERFACE ${sanitizers})
     target_link_options(posepack_common_flags INTERFACE ${sanitizers})
 endif()
+if(POSEPACK_FUZZ)
+    # Every file counts its branches for libFuzzer; the targets of tests/fuzz bring the engine.
+    target_compile_options(posepack_common_flags INTERFACE -fsanitize=fuzzer-no-link
+                           -fsanitize-ignorelist=${PROJECT_SOURCE_DIR}/tests/fuzz/sanitizer_ignore.txt)
+endif()
 
 add_library(posepack_c_flags INTERFACE)
 target_link_libraries(posepack_c_flags INTERFACE posepack_common_flags)

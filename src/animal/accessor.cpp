@@ -14,13 +14,13 @@ using base::Issue;
 using base::IssueCode;
 
 // Names as glTF 2.0 gives them, in sections 3.6.2.2 and 3.6.2.4.
-std::string type_name(int type) {
+std::string type_name(ElementType type) {
     switch (type) {
-        case TINYGLTF_TYPE_SCALAR:
+        case ElementType::scalar:
             return "SCALAR";
-        case TINYGLTF_TYPE_VEC3:
+        case ElementType::vec3:
             return "VEC3";
-        case TINYGLTF_TYPE_VEC4:
+        case ElementType::vec4:
             return "VEC4";
         default:
             return "MAT4";

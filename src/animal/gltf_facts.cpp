@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "animal/gltf_rules.hpp"
 #include "base/json.hpp"
 #include "base/text.hpp"
 
@@ -104,8 +105,10 @@ class FactVisitor final : public base::JsonVisitor {
     explicit FactVisitor(bool keep_data_uris) : keep_data_uris_(keep_data_uris) {}
 
     GltfFacts facts;
+    GltfRules rules;
 
     void key(std::string_view name, std::size_t offset) override {
+        rules.key(name, depth_);
         if (depth_ == 1) {
             open_section(name);
         } else if (is_storage()) {
@@ -118,6 +121,7 @@ class FactVisitor final : public base::JsonVisitor {
     }
 
     void text(std::string_view value) override {
+        rules.text(value, depth_);
         if (is_storage()) return storage_.text(depth_, value);
         if (section_ == Section::buffers && is_at(3, KeyName::uri)) {
             const bool keep = keep_data_uris_ && value.starts_with("data:");
@@ -134,6 +138,7 @@ class FactVisitor final : public base::JsonVisitor {
     }
 
     void number(double value) override {
+        rules.number(value, depth_);
         if (is_storage()) return storage_.number(depth_, value);
         if (section_ == Section::buffers && is_at(3, KeyName::byte_length))
             facts.buffers.back().byte_length = value;
@@ -144,6 +149,7 @@ class FactVisitor final : public base::JsonVisitor {
     }
 
     void truth(bool value) override {
+        rules.truth(depth_);
         if (is_storage()) return storage_.truth(depth_, value);
         if (section_ == Section::buffers && is_at(5, KeyName::fallback, 4, KeyName::meshopt) &&
             keys_[3] == KeyName::extensions)
@@ -151,6 +157,7 @@ class FactVisitor final : public base::JsonVisitor {
     }
 
     void open(bool is_array, std::size_t offset) override {
+        rules.open(depth_, is_array);
         if (depth_ == 0) facts.root_is_object = !is_array;
         if (depth_ == 1 && is_hidden()) facts.hidden_lists.emplace_back(offset + 1, offset + 1);
         if (is_storage())
@@ -274,12 +281,14 @@ base::Result<GltfFacts> read_gltf_facts(std::string_view json, bool allow_data_u
     const GltfFacts& facts = visitor.facts;
     if (!facts.root_is_object)
         return Issue{IssueCode::glb_json, "", "expected a JSON object as the root, found another value"};
+    if (auto status = visitor.rules.status(); !status) return status.issue();
     if (!facts.unknown_extension.empty())
         return Issue{
             IssueCode::glb_extension, "extensionsRequired",
             fmt::format("expected extensions that posepack reads, found {}", facts.unknown_extension)};
     if (auto status = check_buffers(facts, allow_data_uris); !status) return status.issue();
     if (!storage) return storage.issue();
+    visitor.facts.has_target = visitor.rules.has_target();
     return std::move(visitor.facts);
 }
 

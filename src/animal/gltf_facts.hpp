@@ -37,6 +37,7 @@ struct GltfFacts {
     std::vector<BufferFacts> buffers;
     std::vector<PointerChannel> pointers;
     std::vector<PrimitiveIndices> indices;  // in the order of the file
+    bool has_target = false;                // some channel says what it moves
     std::string unknown_extension;          // required, but not read; empty: none
     std::vector<AccessorFacts> accessors;
     std::vector<ViewFacts> views;
@@ -54,7 +55,7 @@ struct GltfFacts {
 // Errors: E-GLB-JSON*, E-GLB-NUMBER, E-LIM-JSON-DEPTH; E-GLB-JSON when the root is no object; E-GLB-EXTENSION
 // for a required extension that posepack neither reads nor may ignore; E-GLB-URI for a buffer outside the
 // file, unless it is a fallback, or a data URI and `allow_data_uris` is set; E-GLB-SCHEMA for a
-// buffer, buffer view or accessor that lacks what it must have.
+// buffer, buffer view or accessor that lacks what it must have; those of GltfRules.
 base::Result<GltfFacts> read_gltf_facts(std::string_view json, bool allow_data_uris);
 
 // The text again as tinygltf may see it: hidden lists are empty, hidden keys have another first letter.

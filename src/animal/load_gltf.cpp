@@ -52,6 +52,12 @@ base::Result<LoadedGltf> load_gltf(std::span<const std::uint8_t> bytes, const Re
     } catch (const std::exception& exception) {
         error = exception.what();
     }
+    // tinygltf refuses some valid files. Where nothing moves, that is the answer, whatever else is said of
+    // the file.
+    if (!loaded.facts.has_target)
+        return Issue{IssueCode::glb_no_animation, "animations",
+                     fmt::format("expected a channel that moves something, found none (and: {})",
+                                 base::shortened(without_line_end(error), 160))};
     return Issue{IssueCode::glb_schema, "",
                  "expected glTF 2.0, found: " + base::shortened(without_line_end(error), 200)};
 }

@@ -32,6 +32,10 @@ base::Result<Animal> read_animal(std::span<const std::uint8_t> bytes, const Read
         context.note(IssueCode::warn_glb_chunk, "",
                      fmt::format("{} chunks of unknown type were skipped", chunks));
     if (auto status = read_nodes(context); !status) return status.issue();
+    // Said before the data is looked at: valid files without motion may have placeholder buffers.
+    if (!accessors.facts().has_target)
+        return Issue{IssueCode::glb_no_animation, "animations",
+                     "expected a channel that moves something, found none"};
     if (auto status = read_skins(context); !status) return status.issue();
     if (auto status = read_meshes(context); !status) return status.issue();
     if (auto status = read_clips(context); !status) return status.issue();

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <tuple>
 #include <unordered_map>
 
 #include "animal/names.hpp"
@@ -98,9 +100,8 @@ class ChannelReader {
         else if (name == "CUBICSPLINE")
             channel.interpolation = Interpolation::cubic_spline;
         else
-            return Issue{IssueCode::glb_channel, place.text(),
-                         fmt::format("expected interpolation LINEAR, STEP or CUBICSPLINE, found '{}'",
-                                     name.substr(0, 64))};
+            return Issue{IssueCode::glb_interpolation, place.text(),
+                         fmt::format("expected LINEAR, STEP or CUBICSPLINE, found '{}'", name.substr(0, 64))};
         return {};
     }
 
@@ -129,6 +130,13 @@ class ChannelReader {
     base::Status read_values(int accessor, const Place& place, Channel& channel, ClipRepairs& repairs) {
         const bool rotation = channel.path == Path::rotation;
         const bool cubic = channel.interpolation == Interpolation::cubic_spline;
+        // Channels may share an output: read again for each, a small file would ask for its values a thousand
+        // times.
+        const Values key{accessor, rotation, cubic, channel.key_count};
+        if (const auto known = values_.find(key); known != values_.end()) {
+            channel.first_value = known->second;
+            return {};
+        }
         const AccessorUse use{place,
                               rotation ? ElementType::vec4 : ElementType::vec3,
                               {kFloat, kByte, kUnsignedByte, kShort, kUnsignedShort}};
@@ -143,12 +151,17 @@ class ChannelReader {
                                      added.value())};
         pool.resize(first + needed);
         channel.first_value = static_cast<std::uint32_t>(first);
+        values_.emplace(key, channel.first_value);
         if (!rotation) return {};
         return check_rotations(std::span(pool).subspan(first), cubic, place, repairs);
     }
 
+    // How an output accessor is read: its index, as rotations, as cubic splines, for how many keys.
+    using Values = std::tuple<int, bool, bool, std::uint32_t>;
+
     ReadContext& context_;
     std::unordered_map<int, Channel> times_;
+    std::map<Values, std::uint32_t> values_;  // where the values of each begin
 };
 
 // The channels of one clip by what they move.

@@ -40,8 +40,9 @@ base::Status append(ReadContext& context, const Primitive& primitive, const std:
     vertices.positions.insert(vertices.positions.end(), primitive.positions.begin(),
                               primitive.positions.end());
     vertices.normals.insert(vertices.normals.end(), primitive.normals.begin(), primitive.normals.end());
-    const auto repairs = reduce_weights(primitive.bones, primitive.weights, primitive.influences,
-                                        std::span(vertices.positions).subspan(first), vertices);
+    const auto repairs =
+        reduce_weights(primitive.bones, primitive.weights, primitive.influences,
+                       std::span(vertices.positions).subspan(first), context.neighbour_tests_left, vertices);
     return report_repairs(context, repairs, where);
 }
 

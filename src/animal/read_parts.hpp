@@ -5,6 +5,7 @@
 #include "animal/accessor.hpp"
 #include "animal/animal.hpp"
 #include "animal/read_animal.hpp"
+#include "animal/weights.hpp"
 
 namespace posepack::animal {
 
@@ -12,6 +13,7 @@ struct ReadContext {
     AccessorReader& accessors;
     const ReadOptions& options;
     Animal& animal;
+    std::uint64_t neighbour_tests_left = kMaxNeighbourTests;
 
     const tinygltf::Model& model() const { return accessors.model(); }
     // Notes a repair, or refuses it under --strict with `refusal`.

@@ -7,7 +7,6 @@
 namespace posepack::animal {
 namespace {
 
-constexpr std::size_t kMaxNeighbourTests = 200'000'000;  // below a second
 constexpr double kSumTolerance = 1e-3;  // beyond it a sum is reported; smaller ones are rounding
 
 struct Influence {
@@ -62,7 +61,7 @@ void gather(std::span<const std::uint16_t> bones, std::span<const float> weights
 
 WeightRepairs reduce_weights(std::span<const std::uint16_t> bones, std::span<const float> weights,
                              std::size_t influences, std::span<const std::array<float, 3>> positions,
-                             Vertices& out) {
+                             std::uint64_t& tests_left, Vertices& out) {
     WeightRepairs repairs;
     const std::size_t count = positions.size();
     const std::size_t first = out.bones.size();
@@ -96,10 +95,12 @@ WeightRepairs reduce_weights(std::span<const std::uint16_t> bones, std::span<con
         out.weights.push_back(vertex_weights);
     }
     const auto good_count = static_cast<std::size_t>(std::count(good.begin(), good.end(), true));
-    if (good_count * (count - good_count) > kMaxNeighbourTests) {
+    const std::uint64_t tests = std::uint64_t{good_count} * (count - good_count);
+    if (tests > tests_left) {
         repairs.hopeless = true;
         return repairs;
     }
+    tests_left -= tests;
     for (std::size_t v = 0; v < count; ++v) {
         if (good[v]) continue;
         ++repairs.none_left;

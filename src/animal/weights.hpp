@@ -10,6 +10,9 @@
 
 namespace posepack::animal {
 
+// Distances that may be measured to find neighbours, for all primitives of a file: below a second.
+inline constexpr std::uint64_t kMaxNeighbourTests = 200'000'000;
+
 // What was repaired, counted in vertices.
 struct WeightRepairs {
     std::uint32_t bad = 0;              // NaN, infinite or negative weights, zeroed
@@ -23,9 +26,10 @@ struct WeightRepairs {
 // Reduces the weights of `count` vertices with `influences` (joint, weight) pairs each.
 //   bones, weights  count x influences, vertex by vertex
 //   positions       of the same vertices, to find the nearest good one
+//   tests_left      distances that may still be measured; falls by those this call needs
 //   out             grows by `count` vertices of bones and weights
 WeightRepairs reduce_weights(std::span<const std::uint16_t> bones, std::span<const float> weights,
                              std::size_t influences, std::span<const std::array<float, 3>> positions,
-                             Vertices& out);
+                             std::uint64_t& tests_left, Vertices& out);
 
 }  // namespace posepack::animal

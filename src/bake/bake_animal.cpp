@@ -102,6 +102,18 @@ base::Status sample_clips(const Animal& animal, Palette& palette) {
     return {};
 }
 
+// A gap is stored as a fraction of the radius, and a motion may be beyond all measure of a tiny model.
+base::Status check_seam_gaps(const Animal& animal, const Palette& palette) {
+    for (const palette::PaletteClip& clip : palette.clips)
+        if (!std::isfinite(static_cast<float>(clip.plan.seam_gap)))
+            return Issue{
+                IssueCode::glb_no_extent, animal.clips[clip.source].name,
+                fmt::format("expected ends of the clip at most 3.4e38 radii apart, found {:.3g} radii "
+                            "of {:.3g}",
+                            clip.plan.seam_gap, palette.radius)};
+    return {};
+}
+
 base::Result<Palette> make_palette(const recipe::AnimalEntry& entry, const Animal& animal,
                                    const motion::SkinSet& points, std::vector<Issue>& findings) {
     auto choices = select_clips(animal, entry);
@@ -126,6 +138,7 @@ base::Result<Palette> make_palette(const recipe::AnimalEntry& entry, const Anima
     if (!layout) return layout.issue();
     palette.layout = layout.value();
     if (auto status = sample_clips(animal, palette); !status) return status.issue();
+    if (auto status = check_seam_gaps(animal, palette); !status) return status.issue();
     return palette;
 }
 

@@ -78,6 +78,33 @@ def _texture(case):
                              mentions=(f"{MAX_TEXTURE_TEXELS}",))
 
 
+def _shared_output(case):
+    """60,000 channels of one sampler: its values are read once, and the last channel wins."""
+    document = glb.tiny_animal(("Walk",))
+    channels = document.json["animations"][0]["channels"]
+    channels += [channels[0]] * 60_000
+    result = case.bake(case.write_animal(document.glb(), clips=[{"name": "Walk"}]))
+    case.expect_ok(result, warnings=["W-GLB-CHANNEL"])
+
+
+def _instances(case):
+    """60,000 nodes that draw one mesh: the vertices they ask for are counted before they are made."""
+    document = glb.tiny_animal()
+    document.json["nodes"] += [{"mesh": 0, "skin": 0}] * 60_000
+    case.expect_bake_refused(case.write_animal(document.glb()), 6, "E-LIM-DECODED")
+
+
+def _empty_objects(case):
+    """Three bytes of text an item, and hundreds in a parser's tree."""
+    for key, count in (("nodes", 70_000), ("accessors", 2_000_000), ("materials", 2_000_000)):
+        document = glb.tiny_animal()
+        text = document.text()[:-1].replace(f'"{key}": ['.encode(), f'"{key}": [{"{},"*count}'.encode())
+        if f'"{key}": ['.encode() not in text:
+            text += f', "{key}": [{"{},"*count}{{}}]'.encode()
+        case.expect_bake_refused(case.write_animal(glb.make_glb(text + b"}", bytes(document.bin))), 6,
+                                 "E-LIM-COUNT")
+
+
 ROWS = [
     _row("L01", f"{MAX_BONES:,} bones", lambda: (_bones(MAX_BONES), _bones(MAX_BONES + 1)), ((), ()),
          "E-LIM-BONES"),
@@ -91,4 +118,7 @@ ROWS = [
          (("--rate", 1000), ("--rate", 1000)), "E-LIM-ROWS"),
     Row("L05", "limit: names of 255 bytes", _names),
     Row("L06", "limit: textures of the named caps", _texture),
+    Row("L07", "memory: channels that share an output", _shared_output),
+    Row("L08", "memory: a mesh drawn by 60,000 nodes", _instances),
+    Row("L09", "memory: millions of empty objects", _empty_objects),
 ]

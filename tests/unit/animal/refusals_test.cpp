@@ -336,7 +336,7 @@ const std::vector<Refusal>& clip_refusals() {
          [](GlbBuilder& g) { g.document["animations"][0]["channels"][0]["target"]["node"] = 99; }},
         {"sampler does not exist", IssueCode::glb_channel,
          [](GlbBuilder& g) { g.document["animations"][0]["channels"][0]["sampler"] = 9; }},
-        {"unknown interpolation", IssueCode::glb_channel,
+        {"unknown interpolation", IssueCode::glb_interpolation,
          [](GlbBuilder& g) { g.document["animations"][0]["samplers"][0]["interpolation"] = "BOUNCE"; }},
         {"node with a matrix moves", IssueCode::glb_channel, matrix_on_animated_node},
         {"times fall", IssueCode::glb_times, [](GlbBuilder& g) { g.set(g.times(0, 0), 3, 0.01f); }},

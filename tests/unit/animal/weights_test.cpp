@@ -28,7 +28,8 @@ Reduced reduce(const std::vector<std::uint16_t>& bones, const std::vector<float>
     for (std::size_t v = 0; v < weights.size() / influences; ++v)
         positions.push_back({static_cast<float>(v), 0, 0});
     Reduced reduced;
-    reduced.repairs = reduce_weights(bones, weights, influences, positions, reduced.out);
+    std::uint64_t tests_left = kMaxNeighbourTests;
+    reduced.repairs = reduce_weights(bones, weights, influences, positions, tests_left, reduced.out);
     return reduced;
 }
 
@@ -114,12 +115,27 @@ TEST(Weights, EightInfluencesOfFourJointsAreNotTruncated) {
 TEST(Weights, AppendsToWhatIsThere) {
     Vertices out;
     const std::vector<std::array<float, 3>> positions{{0, 0, 0}};
+    std::uint64_t tests_left = 0;
     for (std::uint16_t bone : {7, 8})
         reduce_weights(std::vector<std::uint16_t>(4, bone), std::vector<float>{1, 0, 0, 0}, 4, positions,
-                       out);
+                       tests_left, out);
     ASSERT_EQ(out.bones.size(), 2u);
     EXPECT_EQ(out.bones[0][0], 7);
     EXPECT_EQ(out.bones[1][0], 8);
+}
+
+// All primitives of a file share one number of distances: sixty of them took a minute otherwise.
+TEST(Weights, NeighboursAreSoughtWithinABound) {
+    Vertices out;
+    const std::vector<std::array<float, 3>> positions{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+    const std::vector<std::uint16_t> bones{5, 6, 7};
+    std::uint64_t tests_left = 3;
+    const auto mended = reduce_weights(bones, std::vector<float>{1, 0, 1}, 1, positions, tests_left, out);
+    EXPECT_FALSE(mended.hopeless);
+    EXPECT_EQ(mended.none_left, 1u);
+    EXPECT_EQ(tests_left, 1u) << "one vertex without weights, two with";
+    EXPECT_TRUE(reduce_weights(bones, std::vector<float>{1, 0, 1}, 1, positions, tests_left, out).hopeless);
+    EXPECT_FALSE(reduce_weights(bones, std::vector<float>{1, 1, 1}, 1, positions, tests_left, out).hopeless);
 }
 
 // Whatever goes in, what comes out falls, sums to one and names only bones that went in.

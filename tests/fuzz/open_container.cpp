@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// Fuzz target: bytes to the loader. They are opened as they are, and once more with every checksum made
+// right, so that what lies behind the checksums is met too. Whatever opens is read completely.
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <vector>
+
+#include "container_builder.hpp"
+#include "fuzz/target.hpp"
+#include "posepack/loader.h"
+
+namespace {
+
+constexpr std::size_t kMaxInputBytes = 64u << 10;
+
+void expect(bool is_right, const char* what) {
+    if (is_right) return;
+    std::fprintf(stderr, "open_container: expected %s\n", what);
+    std::abort();
+}
+
+void read_tables(const posepack_view& view) {
+    posepack_clip clip;
+    for (std::uint32_t c = 0; c < view.header.clip_count; ++c) {
+        expect(posepack_get_clip(&view, c, &clip) == POSEPACK_OK, "every clip to be readable");
+        expect(clip.first_row + clip.row_count <= view.header.row_count, "the rows of a clip in the palette");
+        std::uint32_t row = 0;
+        for (std::uint32_t cut = 0; cut < clip.cut_count; ++cut)
+            expect(posepack_get_cut(&view, c, cut, &row) == POSEPACK_OK, "every cut to be readable");
+    }
+    std::uint32_t states = 0;
+    std::uint32_t first = 0;
+    expect(posepack_count_states(&view, &states, &first) == POSEPACK_OK, "states");
+    posepack_state state;
+    for (std::uint32_t s = 0; s < states; ++s)
+        expect(posepack_get_state(&view, s, &state) == POSEPACK_OK && state.clip < view.header.clip_count,
+               "every state to name a clip");
+    posepack_bone bone;
+    for (std::uint32_t b = 0; b < view.header.bone_count; ++b)
+        expect(posepack_get_bone(&view, b, &bone) == POSEPACK_OK, "every bone to be readable");
+    posepack_space space;
+    expect(posepack_get_space(&view, &space) == POSEPACK_OK, "spaces");
+    posepack_mesh mesh;
+    for (std::uint32_t m = 0; m < space.mesh_count; ++m) {
+        expect(posepack_get_mesh(&view, m, &mesh) == POSEPACK_OK, "every mesh to be readable");
+        for (std::uint32_t j = 0; j < mesh.joint_count; ++j) {
+            std::uint32_t mapped = 0;
+            expect(posepack_map_joint(&view, m, j, &mapped) == POSEPACK_OK && mapped < view.header.bone_count,
+                   "every joint to name a bone");
+        }
+    }
+}
+
+void open_and_read(const std::vector<std::uint8_t>& bytes) {
+    posepack_view view;
+    const posepack_result opened = posepack_open(&view, bytes.data(), bytes.size());
+    posepack::fuzz::note_outcome(posepack_result_name(opened));
+    if (opened != POSEPACK_OK) return;
+    read_tables(view);
+    std::vector<float> matrices(std::size_t{view.header.bone_count} * 12);
+    for (std::uint32_t row = 0; row < view.header.row_count; ++row)
+        expect(posepack_decode_row(&view, row, matrices.data()) == POSEPACK_OK, "every row to decode");
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    if (size > kMaxInputBytes) return 0;
+    std::vector<std::uint8_t> bytes(data, data + size);
+    open_and_read(bytes);
+    if (size < POSEPACK_HEADER_BYTES) return 0;
+    posepack::test::seal(bytes);
+    open_and_read(bytes);
+    return 0;
+}
