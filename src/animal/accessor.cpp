@@ -29,17 +29,17 @@ std::string type_name(ElementType type) {
 
 std::string component_name(int component) {
     switch (component) {
-        case TINYGLTF_COMPONENT_TYPE_BYTE:
+        case kByte:
             return "BYTE";
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+        case kUnsignedByte:
             return "UNSIGNED_BYTE";
-        case TINYGLTF_COMPONENT_TYPE_SHORT:
+        case kShort:
             return "SHORT";
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+        case kUnsignedShort:
             return "UNSIGNED_SHORT";
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+        case kUnsignedInt:
             return "UNSIGNED_INT";
-        case TINYGLTF_COMPONENT_TYPE_FLOAT:
+        case kFloat:
             return "FLOAT";
         default:
             return fmt::format("component type {}", component);
