@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// Whether a clip can be dual quaternions, and whether it needs a closing row.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <glm/vec4.hpp>
+
+#include "motion/row_plan.hpp"
+#include "palette/moments.hpp"
+#include "palette/similarity.hpp"
+#include "palette/spaces.hpp"
+
+namespace posepack::palette {
+
+// What a bone that is no similarity may be off by, fraction of R: the share of rounding in the default bound.
+inline constexpr double kStretchTolerance = 5e-4;
+
+// L as a multiple of R: how finely the scale is held. Longer is finer, and takes more of a half's range when an
+// animal grows; docs/encodings/dualquat.md has the measurement.
+inline constexpr double kScaleLength = 1.0;
+
+// Turns rotations of successive rows into one hemisphere: q and -q turn alike, but blend through zero.
+class Hemispheres {
+ public:
+    explicit Hemispheres(std::size_t bone_count) : previous_(bone_count, glm::dvec4(0.0, 0.0, 0.0, 1.0)) {}
+
+    // The next row starts a clip: its rotations are turned towards those of the very first row, so that clips
+    // blend with each other.
+    void begin_clip();
+    // The similarity of a bone in the next row, its rotation turned towards the one before. Where a bone has
+    // shrunk to nothing it keeps the rotation before.
+    Similarity next(std::size_t bone, const motion::Affine& matrix);
+    // True when the bone's last rotation lies in another hemisphere than its first in this clip: an odd
+    // number of whole turns.
+    bool is_turned(std::size_t bone) const { return glm::dot(previous_[bone], clip_first_[bone]) < 0.0; }
+
+ private:
+    std::vector<glm::dvec4> previous_, reference_, clip_first_;
+    std::vector<bool> is_fresh_ = std::vector<bool>(previous_.size(), true);
+};
+
+// A bone that stretches or shears more than its vertices may show.
+struct Unfit {
+    std::uint32_t row = 0, bone = 0;
+    double ratio = 1.0;  // largest to smallest stretch
+};
+
+struct DualquatFit {
+    std::optional<Unfit> unfit;  // the first found
+    bool closing_row = false;    // of a loop: some bone arrives at its first row in the other hemisphere
+};
+
+// Walks all rows of a clip.
+//   reach  R in units of palette space
+DualquatFit fit_dualquat(motion::ClipSampler& sampler, const motion::RowPlan& plan, const Spaces& spaces,
+                         std::span<const BoneMoment> moments, double reach);
+
+}  // namespace posepack::palette
