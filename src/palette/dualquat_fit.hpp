@@ -20,7 +20,7 @@ inline constexpr double kStretchTolerance = 5e-4;
 
 // L as a multiple of R: how finely the scale is held. Longer is finer, and takes more of a half's range when an
 // animal grows; docs/encodings/dualquat.md has the measurement.
-inline constexpr double kScaleLength = 1.0;
+inline constexpr double kScaleLength = 4.0;
 
 // Turns rotations of successive rows into one hemisphere: q and -q turn alike, but blend through zero.
 class Hemispheres {
