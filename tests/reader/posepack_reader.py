@@ -144,7 +144,7 @@ class Container:
         data = self.data
         require(len(data) >= 128, "TOO_SMALL")  # F1
         require(data[0:8] == MAGIC, "MAGIC")  # F2
-        require((u16(data, 8), u16(data, 10), u32(data, 12)) == (1, 1, 128), "VERSION")  # F3
+        require((u16(data, 8), u16(data, 10), u32(data, 12)) == (1, 2, 128), "VERSION")  # F3
         require(u32(data, 124) == crc32c(data[0:124]), "HEADER_CRC")  # F4
         self.header = {name: read(data, offset) for name, offset, read in HEADER_FIELDS}
         h = self.header
@@ -202,15 +202,16 @@ class Container:
 
     def check_header_values(self):
         h = self.header
-        known = ((h["encoding"], (1, 2), (3, 4, 5, 255)), (h["texel_format"], (1, 2), (3, 4)),
+        known = ((h["encoding"], (1, 2, 3), (4, 5, 255)), (h["texel_format"], (1, 2), (3, 4)),
                  (h["texel_order"], (0, 1), (2,)), (h["row_scheme"], (0,), (1, 2, 255)))
         require(all(number in now + later for number, now, later in known))  # H1 to H4
         require(h["space_flags"] <= 1)  # H6
         require(is_zero(self.data[58:60]))  # H7
         require(is_positive(h["radius_m"]))  # H8
         require(all(number in now for number, now, later in known), "UNSUPPORTED")
-        require(h["texels_per_bone"] == {1: 4, 2: 3}[h["encoding"]])  # H5
-        require(h["dualquat_length"] == 0)  # H9
+        require(h["texels_per_bone"] == {1: 4, 2: 3, 3: 2}[h["encoding"]])  # H5
+        length = h["dualquat_length"]
+        require(is_positive(length) if h["encoding"] == 3 else length == 0)  # H9
 
     def read_strings(self):
         data = self.bytes_of["STRS"]
@@ -305,7 +306,7 @@ class Container:
             require(clip["first_row"] == next_row and clip["row_count"] >= 1)  # C6
             texels = self.header["bone_count"] * self.header["texels_per_bone"]
             require(clip["first_texel"] == next_row * texels)  # C6
-            next_row += clip["row_count"]
+            next_row += clip["row_count"] + clip["closing_row"]
             first_cut, own_cuts = u32(data, at + 28), u32(data, at + 32)
             require(first_cut == next_cut)  # C7
             next_cut += own_cuts
@@ -322,7 +323,8 @@ class Container:
         h = self.header
         require((r[8], r[9], r[10]) == (h["encoding"], h["texels_per_bone"], h["row_scheme"]))  # C3
         require(r[11] <= 2 and r[12] <= 1 and r[14] <= 1 and r[15] <= 1)  # C4
-        require(r[13] == 0 and is_zero(r[96:120]) and u32(r, 176) == NONE and is_zero(r[180:184]))  # C5
+        require(r[13] <= (r[8] == 3 and r[11] == 0))  # C5: dual quaternions of a loop
+        require(is_zero(r[96:120]) and u32(r, 176) == NONE and is_zero(r[180:184]))  # C5
         require(is_zero(r[188:192]))  # C5
         clip = {"name": self.string(u32(r, 0)), "source_name": self.string(u32(r, 4)),  # C2
                 "encoding": r[8], "texels_per_bone": r[9], "row_scheme": r[10], "wrap": r[11], "seam": r[12],
@@ -397,6 +399,9 @@ class Container:
                 if row >= rows:
                     require(self.place_bytes(row) == self.place_bytes(rows - 1))  # X3
             require(is_zero(self.pixels[start + tight:start + h["row_pitch"]]), "PADDING")  # X4
+        for clip in self.clips:
+            if clip["closing_row"]:
+                self.check_closing_row(clip)  # X7
 
     def place_bytes(self, row):
         """The bytes of the block of a row, or of a place behind the last row."""
@@ -418,6 +423,20 @@ class Container:
             for bone in range(self.header["bone_count"]):
                 places = self.places(bone)
                 require([bits[4 * place + 3] for place in places] == [0, 0, 0, one])  # X2
+
+        if self.header["encoding"] == 3:
+            sign, quarter, two = (0x8000, 0x3400, 0x4000) if self.texel_bytes == 8 else (0x80000000, 0x3E800000, 0x40000000)
+            for bone in range(self.header["bone_count"]):
+                place = 4 * self.places(bone)[0]
+                require(quarter <= max(b & ~sign for b in bits[place:place + 4]) <= two)  # X6
+
+    def check_closing_row(self, clip):
+        """A closing row has the bits of row 0, of some bones with all eight signs turned."""
+        sign = 0x8000 if self.texel_bytes == 8 else 0x80000000
+        first, closing = (self.row_bits(row) for row in (clip["first_row"], clip["first_row"] + clip["row_count"]))
+        for bone in range(self.header["bone_count"]):
+            turns = {first[4 * place + c] ^ closing[4 * place + c] for place in self.places(bone) for c in range(4)}
+            require(turns in ({0}, {sign}))
 
     def places(self, bone):
         """Places of the texels of a bone in the block of its row."""
@@ -482,8 +501,79 @@ def widened_halves():
     return [None if number is None else struct.pack(">f", number).hex() for number in halves]
 
 
+def rounded(numbers):
+    """Numbers rounded to single precision, each as a step of the arithmetic of section 10 leaves it."""
+    return struct.unpack(f"<{len(numbers)}f", struct.pack(f"<{len(numbers)}f", *numbers))
+
+
+def f32_sum(*terms):
+    """The sums of lists, from left to right, rounded at each step."""
+    total = terms[0]
+    for term in terms[1:]:
+        total = rounded([a + b for a, b in zip(total, term)])
+    return total
+
+
+def f32_product(a, b):
+    return rounded([x * y for x, y in zip(a, b)])
+
+
+def f32_difference(a, b):
+    return rounded([x - y for x, y in zip(a, b)])
+
+
+def f32_quotient(a, b):
+    return rounded([x / y for x, y in zip(a, b)])
+
+
+def f32_dot(a, b):
+    return f32_sum(*(f32_product(x, y) for x, y in zip(a, b)))
+
+
+def dualquat_matrices(real, dual, length):
+    """Section 10 for all bones of a row at once: `real` and `dual` are four lists each, a number a bone."""
+    one, two = [1.0] * len(real[0]), [2.0] * len(real[0])
+    square = f32_dot(real, real)
+    along = f32_quotient(f32_dot(real, dual), square)
+    scale = f32_sum(one, f32_quotient(f32_product(two, along), [length] * len(one)))
+    x, y, z, w = real
+    dx, dy, dz, dw = (f32_difference(d, f32_product(along, r)) for r, d in zip(real, dual))
+    h = f32_quotient(two, square)
+
+    def diagonal(a, b):
+        return f32_product(scale, f32_difference(one, f32_product(h, f32_sum(f32_product(a, a), f32_product(b, b)))))
+
+    def beside(a, b, c, combine):
+        return f32_product(scale, f32_product(h, combine(f32_product(a, b), f32_product(w, c))))
+
+    def moved(d, a, cross_a, cross_b):
+        turned = f32_difference(f32_product(w, d), f32_product(dw, a))
+        return f32_product(h, f32_sum(turned, f32_difference(f32_product(*cross_a), f32_product(*cross_b))))
+
+    return [diagonal(y, z), beside(x, y, z, f32_difference), beside(x, z, y, f32_sum), moved(dx, x, (y, dz), (z, dy)),
+            beside(x, y, z, f32_sum), diagonal(x, z), beside(y, z, x, f32_difference), moved(dy, y, (z, dx), (x, dz)),
+            beside(x, z, y, f32_difference), beside(y, z, x, f32_sum), diagonal(x, y), moved(dz, z, (x, dy), (y, dx))]
+
+
+def dump_dualquat_rows(container):
+    """Every bone-row as the twelve floats of its matrix."""
+    letter = "e" if container.texel_bytes == 8 else "f"
+    bones = range(container.header["bone_count"])
+    length = value(container.header["dualquat_length"])
+    places = [container.places(bone) for bone in bones]
+    for row in range(container.header["row_count"]):
+        block = container.place_bytes(row)
+        numbers = struct.unpack(f"<{4 * len(block) // container.texel_bytes}{letter}", block)
+        real, dual = ([[numbers[4 * places[bone][k] + c] for bone in bones] for c in range(4)] for k in range(2))
+        for bone, matrix in enumerate(zip(*dualquat_matrices(real, dual, length))):
+            yield f"row {row} bone {bone} {struct.pack('>12f', *matrix).hex(' ', 4)}"
+
+
 def dump_rows(container):
     """Every bone-row as twelve floats."""
+    if container.header["encoding"] == 3:
+        yield from dump_dualquat_rows(container)
+        return
     widened = widened_halves().__getitem__ if container.texel_bytes == 8 else hex_bits
     components = list(container.components())
     for row in range(container.header["row_count"]):
