@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -82,9 +83,10 @@ palette::Spaces choose_spaces(const Animal& animal, const Palette& palette) {
     return palette::normalise(animal, clips, palette.radius);
 }
 
-// Refuses what dual quaternions cannot hold, and finds the clips that need a closing row.
+// Refuses what dual quaternions cannot hold, finds the clips that need a closing row, and chooses L.
 base::Status fit_dualquats(const Animal& animal, std::span<const palette::BoneMoment> moments,
                            Palette& palette) {
+    double largest_change = 0.0;
     for (palette::PaletteClip& clip : palette.clips) {
         motion::ClipSampler sampler(animal, animal.clips[clip.source]);
         const palette::DualquatFit fit =
@@ -97,7 +99,9 @@ base::Status fit_dualquats(const Animal& animal, std::span<const palette::BoneMo
                             animal.bones[unfit->bone].name, unfit->ratio, unfit->row,
                             clip.plan.row_time_s(unfit->row))};
         clip.closing_row = fit.closing_row;
+        largest_change = std::max(largest_change, fit.largest_change);
     }
+    palette.dualquat_length = static_cast<float>(palette::scale_length(palette.reach(), largest_change));
     return {};
 }
 
@@ -180,9 +184,8 @@ base::Result<Palette> make_palette(const recipe::AnimalEntry& entry, const Anima
     aids.halves = palette.spaces.normalised ? palette::Halves::normal : palette::Halves::all;
     aids.moments = palette::bone_moments(points, palette.spaces, animal.bones.size(), palette.reach());
     if (entry.output.encoding == recipe::Encoding::dualquat) {
-        palette.dualquat_length = static_cast<float>(palette::kScaleLength * palette.reach());
-        aids.dualquat_length = palette.dualquat_length;
         if (auto status = fit_dualquats(animal, aids.moments, palette); !status) return status.issue();
+        aids.dualquat_length = palette.dualquat_length;
     }
     const auto row_count = number_rows(animal, palette);
     if (!row_count) return row_count.issue();

@@ -63,7 +63,8 @@ DualquatFit fit_dualquat(motion::ClipSampler& sampler, const motion::RowPlan& pl
         for (std::uint32_t b = 0; b < bones.size(); ++b) {
             if (is_source && !fit.unfit && is_unfit(bones[b].linear, moments[b].radius, reach))
                 fit.unfit = Unfit{row, b, stretch_of(bones[b].linear).ratio()};
-            hemispheres.next(b, bones[b]);
+            const double scale = hemispheres.next(b, bones[b]).scale;
+            fit.largest_change = std::max(fit.largest_change, std::abs(scale - 1.0));
         }
     }
     if (plan.wrap == recipe::Wrap::loop && !plan.step && plan.row_count > 1)

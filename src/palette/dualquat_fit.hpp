@@ -2,6 +2,7 @@
 // Whether a clip can be dual quaternions, and whether it needs a closing row.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <vector>
@@ -18,9 +19,13 @@ namespace posepack::palette {
 // What a bone that is no similarity may be off by, fraction of R: the share of rounding in the default bound.
 inline constexpr double kStretchTolerance = 5e-4;
 
-// L as a multiple of R: how finely the scale is held. Longer is finer, and takes more of a half's range when an
-// animal grows; docs/encodings/dualquat.md has the measurement.
-inline constexpr double kScaleLength = 4.0;
+// L of an animal, in units of palette space. Longer holds the scale more finely, but what carries the scale, (s - 1)
+// L/2, then drowns the translation beside it: here it stays below 2 R. docs/encodings/dualquat.md has the
+// measurement.
+//   largest_change  of all fits, at least 0
+inline double scale_length(double reach, double largest_change) {
+    return 4.0 * reach / std::max(1.0, largest_change);
+}
 
 // Turns rotations of successive rows into one hemisphere: q and -q turn alike, but blend through zero.
 class Hemispheres {
@@ -51,6 +56,7 @@ struct Unfit {
 struct DualquatFit {
     std::optional<Unfit> unfit;  // the first found
     bool closing_row = false;    // of a loop: some bone arrives at its first row in the other hemisphere
+    double largest_change = 0.0;  // of a scale s: |s - 1|
 };
 
 // Walks all rows of a clip.

@@ -79,17 +79,17 @@ TEST(NormalisedSpace, TakesTheUnitAndTheAxesOfTheArmatureOut) {
     spec.nodes.push_back({{"name", "Armature"},
                           {"scale", {0.01, 0.01, 0.01}},
                           {"rotation", support::turn(-90, 1, 0, 0)},
-                          {"translation", {50, 0, 0}},
+                          {"translation", {50.017, 0, 0}},
                           {"children", {0}}});
     const support::Bytes glb = support::glb_of(spec);
-    recipe::AnimalEntry entry = entry_of(Encoding::affine, Space::normalised);
+    recipe::AnimalEntry entry = entry_of(Encoding::mat4, Space::normalised);
     entry.rate_hz = 480;  // so many rows that rounding is what is left of the error
     const BakedAnimal animal = bake(glb, entry);
     const Opened opened(animal);
     std::vector<float> matrices(12 * opened.view.header.bone_count);
     ASSERT_EQ(posepack_decode_row(&opened.view, 0, matrices.data()), POSEPACK_OK);
     for (std::size_t e = 0; e < 12; ++e) EXPECT_NEAR(matrices[e], e % 5 == 0 ? 1.0 : 0.0, 2e-3) << e;
-    EXPECT_NEAR(opened.space.model_from_palette[3], 50.0f, 1e-3);
+    EXPECT_NEAR(opened.space.model_from_palette[3], 50.017f, 1e-3);
     EXPECT_NEAR(opened.space.model_from_palette[0], opened.view.header.radius_m, 1e-6) << "R is 1";
     posepack_clip clip;
     ASSERT_EQ(posepack_get_clip(&opened.view, 0, &clip), POSEPACK_OK);
