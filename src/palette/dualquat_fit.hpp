@@ -19,9 +19,9 @@ namespace posepack::palette {
 // What a bone that is no similarity may be off by, fraction of R: the share of rounding in the default bound.
 inline constexpr double kStretchTolerance = 5e-4;
 
-// L of an animal, in units of palette space. Longer holds the scale more finely, but what carries the scale, (s - 1)
-// L/2, then drowns the translation beside it: here it stays below 2 R. docs/encodings/dualquat.md has the
-// measurement.
+// L of an animal, in units of palette space. Longer holds the scale more finely, but what carries the scale,
+// (s - 1) L/2, then drowns the translation beside it: here it stays below 2 R. docs/encodings/dualquat.md has
+// the measurement.
 //   largest_change  of all fits, at least 0
 inline double scale_length(double reach, double largest_change) {
     return 4.0 * reach / std::max(1.0, largest_change);
@@ -54,8 +54,8 @@ struct Unfit {
 };
 
 struct DualquatFit {
-    std::optional<Unfit> unfit;  // the first found
-    bool closing_row = false;    // of a loop: some bone arrives at its first row in the other hemisphere
+    std::optional<Unfit> unfit;   // the first found
+    bool closing_row = false;     // of a loop: some bone arrives at its first row in the other hemisphere
     double largest_change = 0.0;  // of a scale s: |s - 1|
 };
 

@@ -37,8 +37,8 @@ class RowEncoder {
     // then nothing is written.
     std::uint32_t encode(std::uint32_t row, std::span<const motion::Affine> bones, std::span<float> stored);
 
-    // Ends a loop: row `closing_row` becomes the first row of the clip once more, with signs that continue the
-    // last one's. kNone: it is stored nowhere, but between() knows it.
+    // Ends a loop: row `closing_row` becomes the first row of the clip once more, with signs that continue
+    // the last one's. kNone: it is stored nowhere, but between() knows it.
     void close_clip(std::uint32_t closing_row);
 
     // What a reader decodes between the two rows written last, under `dualquat`.
