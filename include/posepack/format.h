@@ -18,10 +18,10 @@
 #define POSEPACK_FORMAT_H
 
 #define POSEPACK_FORMAT_MAJOR 1u
-#define POSEPACK_FORMAT_MINOR 1u /* draft 1 */
+#define POSEPACK_FORMAT_MINOR 2u /* draft 2 */
 
 /* Raised whenever equal inputs may give other bytes than before. */
-#define POSEPACK_BAKE_ABI 1u
+#define POSEPACK_BAKE_ABI 2u
 
 /* Limits of version 1. */
 #define POSEPACK_MAX_FILE_BYTES 268435456u /* 2^28 */
@@ -64,7 +64,7 @@
 #define POSEPACK_HDR_ROW_PITCH 68         /* u32    */
 #define POSEPACK_HDR_ROWS_PER_LINE 72     /* u32    */
 #define POSEPACK_HDR_RADIUS_M 76          /* f32    */
-#define POSEPACK_HDR_DUALQUAT_LENGTH 80   /* f32    */
+#define POSEPACK_HDR_DUALQUAT_LENGTH 80   /* f32: L of dualquat, else zero */
 #define POSEPACK_HDR_BAKE_ABI 84          /* u32    */
 #define POSEPACK_HDR_RECIPE_SHA256 88     /* u8[32] */
 #define POSEPACK_HDR_TABLE_CRC 120        /* u32    */
@@ -76,10 +76,10 @@
 /* Space flags. */
 #define POSEPACK_SPACE_NORMALISED 1u /* palette space is not model space: use SPAC */
 
-/* Encodings. This draft writes and reads mat4 and affine; the others are named, and refused. */
+/* Encodings. This draft writes and reads mat4, affine and dualquat; the others are named, and refused. */
 #define POSEPACK_ENCODING_MAT4 1u     /* 4 texels: the columns of a 4x4 matrix   */
 #define POSEPACK_ENCODING_AFFINE 2u   /* 3 texels: the rows of a 3x4 matrix      */
-#define POSEPACK_ENCODING_DUALQUAT 3u /* 2 texels, or 1 as RGBA32UI              */
+#define POSEPACK_ENCODING_DUALQUAT 3u /* 2 texels: real and dual part, with scale */
 #define POSEPACK_ENCODING_LOCAL 4u    /* 2 texels, parent-relative               */
 #define POSEPACK_ENCODING_PACKED 5u   /* 1 texel RG32UI                          */
 
@@ -142,7 +142,7 @@
 #define POSEPACK_CLIP_ROW_SCHEME 10         /* u8 */
 #define POSEPACK_CLIP_WRAP 11               /* u8 */
 #define POSEPACK_CLIP_SEAM 12               /* u8 */
-#define POSEPACK_CLIP_CLOSING_ROW 13        /* u8: 0 or 1 */
+#define POSEPACK_CLIP_CLOSING_ROW 13        /* u8: 1: row 0 once more behind the last row, not counted */
 #define POSEPACK_CLIP_INTERPOLATION 14      /* u8 */
 #define POSEPACK_CLIP_FLAGS 15              /* u8 */
 #define POSEPACK_CLIP_FIRST_ROW 16          /* u32 */

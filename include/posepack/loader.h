@@ -97,7 +97,7 @@ typedef struct posepack_header {
     uint32_t row_pitch_bytes;
     uint32_t rows_per_line;
     float radius_m;        /* R: rest-pose bounding radius, in metres */
-    float dualquat_length; /* zero unless an encoding needs it */
+    float dualquat_length; /* L of dualquat, palette units; zero under other encodings */
     uint32_t bake_abi;
     uint8_t recipe_sha256[32];
 } posepack_header;
@@ -133,7 +133,9 @@ typedef struct posepack_clip {
     posepack_string name;
     posepack_string source_name; /* the glTF animation name, verbatim */
     uint8_t encoding, texels_per_bone, row_scheme;
-    uint8_t wrap, seam, closing_row, interpolation;
+    uint8_t wrap, seam;
+    uint8_t closing_row; /* 1: row 0 is stored once more at first_row + row_count, for the last blend */
+    uint8_t interpolation;
     uint8_t measured; /* 1: `error` holds measurements */
     uint32_t first_row;
     uint32_t row_count;
@@ -245,16 +247,31 @@ posepack_result posepack_get_section(const posepack_view* view, uint32_t type, c
                                      size_t* size_bytes);
 
 /*
- * Decodes one bone of one row to a 3x4 row-major matrix.
+ * Decodes one bone of one row to a 3x4 row-major matrix, from palette space to palette space.
  *   row   0 <= row < header.row_count (clip.first_row + a row of the clip)
  *   bone  0 <= bone < header.bone_count
- * OK, ARG or INDEX. Values are exactly the stored ones, widened to float.
+ * OK, ARG or INDEX. Under mat4 and affine, values are exactly the stored ones, widened to float; under
+ * dualquat they are computed in float, in the order that the format's section 10 gives.
  */
 posepack_result posepack_decode_bone(const posepack_view* view, uint32_t row, uint32_t bone,
                                      float matrix[12]);
 
 /* Decodes all bones of one row: header.bone_count matrices of 12 floats, bone by bone. */
 posepack_result posepack_decode_row(const posepack_view* view, uint32_t row, float* matrices);
+
+/*
+ * Decodes one bone between two rows, as a shader does: matrices of mat4 and affine are mixed entry by entry,
+ * dual quaternions are mixed and normalised, their scales apart.
+ *   row0, row1  0 <= row < header.row_count. They should be neighbours of one clip: behind the last row of a
+ *               loop comes its closing row (first_row + row_count) where clip.closing_row is 1, else its row
+ * 0 factor      share of row1, 0 to 1; 0 gives exactly posepack_decode_bone of row0 OK, ARG or INDEX.
+ */
+posepack_result posepack_blend_bone(const posepack_view* view, uint32_t row0, uint32_t row1, float factor,
+                                    uint32_t bone, float matrix[12]);
+
+/* The same for all bones: header.bone_count matrices of 12 floats, bone by bone. */
+posepack_result posepack_blend_row(const posepack_view* view, uint32_t row0, uint32_t row1, float factor,
+                                   float* matrices);
 
 #ifdef __cplusplus
 }

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -14,6 +16,7 @@
 #include "measure/measure_error.hpp"
 #include "motion/skin_set.hpp"
 #include "palette/container_writer.hpp"
+#include "palette/dualquat_fit.hpp"
 #include "palette/encode.hpp"
 #include "posepack/loader.h"
 
@@ -23,6 +26,7 @@ namespace {
 using animal::Animal;
 using base::Issue;
 using base::IssueCode;
+using palette::Box;
 using palette::Palette;
 
 class Stopwatch {
@@ -49,6 +53,11 @@ double rest_radius(const Animal& animal, const motion::SkinSet& points) {
     return motion::sphere_around(posed).radius;
 }
 
+Issue too_many_rows(const std::string& clip, std::uint64_t rows) {
+    return {IssueCode::lim_rows, clip,
+            fmt::format("expected at most {} rows, the clips so far need {}", POSEPACK_MAX_ROWS, rows)};
+}
+
 base::Status plan_clips(const Animal& animal, const std::vector<ClipChoice>& choices,
                         const motion::SkinSet& points, Palette& palette, std::vector<Issue>& findings) {
     std::uint64_t rows = 0;
@@ -58,29 +67,76 @@ base::Status plan_clips(const Animal& animal, const std::vector<ClipChoice>& cho
         palette::PaletteClip out;
         out.source = choice.source;
         out.plan = motion::plan_rows(animal, clip, sampler, points, palette.radius, choice.wish);
-        out.first_row = static_cast<std::uint32_t>(rows);
         out.speed_mps = choice.speed_mps;
         out.stride_phase = choice.stride_phase;
         rows += out.plan.row_count;
-        if (rows > POSEPACK_MAX_ROWS)
-            return Issue{IssueCode::lim_rows, clip.name,
-                         fmt::format("expected at most {} rows, found {} in the clips up to this one",
-                                     POSEPACK_MAX_ROWS, rows)};
+        if (rows > POSEPACK_MAX_ROWS) return too_many_rows(clip.name, rows);
         findings.insert(findings.end(), out.plan.remarks.begin(), out.plan.remarks.end());
         palette.clips.push_back(std::move(out));
     }
     return {};
 }
 
-base::Status sample_clips(const Animal& animal, Palette& palette) {
-    palette::RowEncoder encoder(palette.layout);
-    const palette::BoneBoxes boxes(animal);
-    std::vector<motion::Affine> bones(animal.bones.size());
-    std::vector<float> stored(animal.bones.size() * 12);
+palette::Spaces choose_spaces(const Animal& animal, const Palette& palette) {
+    std::vector<palette::PlannedClip> clips;
+    for (const palette::PaletteClip& clip : palette.clips)
+        clips.push_back({&animal.clips[clip.source], &clip.plan});
+    return palette::normalise(animal, clips, palette.radius);
+}
+
+// Refuses what dual quaternions cannot hold, finds the clips that need a closing row, and chooses L.
+base::Status fit_dualquats(const Animal& animal, std::span<const palette::BoneMoment> moments,
+                           Palette& palette) {
+    double largest_change = 0.0;
     for (palette::PaletteClip& clip : palette.clips) {
         motion::ClipSampler sampler(animal, animal.clips[clip.source]);
+        const palette::DualquatFit fit =
+            palette::fit_dualquat(sampler, clip.plan, palette.spaces, moments, palette.reach());
+        if (const auto& unfit = fit.unfit)
+            return Issue{
+                IssueCode::lim_similarity, animal.clips[clip.source].name,
+                fmt::format("expected bone '{}' to turn and scale evenly, it stretches by {:.4g} to 1 "
+                            "at row {} ({:.4g} s)",
+                            animal.bones[unfit->bone].name, unfit->ratio, unfit->row,
+                            clip.plan.row_time_s(unfit->row))};
+        clip.closing_row = fit.closing_row;
+        largest_change = std::max(largest_change, fit.largest_change);
+    }
+    palette.dualquat_length = static_cast<float>(palette::scale_length(palette.reach(), largest_change));
+    return {};
+}
+
+// Rows follow each other, closing rows included. Returns how many there are.
+base::Result<std::uint32_t> number_rows(const Animal& animal, Palette& palette) {
+    std::uint32_t rows = 0;
+    for (palette::PaletteClip& clip : palette.clips) {
+        clip.first_row = rows;
+        rows += clip.stored_rows();
+        if (rows > POSEPACK_MAX_ROWS) return too_many_rows(animal.clips[clip.source].name, rows);
+    }
+    return rows;
+}
+
+base::Status sample_clips(const Animal& animal, const palette::RoundingAids& aids, Palette& palette) {
+    palette::RowEncoder encoder(palette.layout, aids);
+    const palette::BoneBoxes boxes(animal, palette.spaces);
+    std::vector<motion::Affine> bones(animal.bones.size());
+    std::vector<float> stored(animal.bones.size() * 12);
+    const auto grow_by_arcs = [&](Box& bounds) {
+        std::array<std::vector<float>, 5> quarters;
+        for (std::size_t i = 0; i < quarters.size(); ++i) {
+            quarters[i].resize(stored.size());
+            encoder.between(0.25f * static_cast<float>(i), quarters[i]);
+        }
+        boxes.add_arcs(quarters, bounds);
+    };
+    const bool has_arcs = palette.layout.encoding == POSEPACK_ENCODING_DUALQUAT;
+    for (palette::PaletteClip& clip : palette.clips) {
+        motion::ClipSampler sampler(animal, animal.clips[clip.source]);
+        encoder.begin_clip();
         for (std::uint32_t row = 0; row < clip.plan.row_count; ++row) {
             motion::sample_row(sampler, clip.plan, row, bones);
+            palette.spaces.enter(bones);
             const std::uint32_t bad = encoder.encode(clip.first_row + row, bones, stored);
             if (bad < bones.size()) {
                 const bool half = palette.layout.texel_format == POSEPACK_TEXEL_RGBA16F;
@@ -92,6 +148,11 @@ base::Status sample_clips(const Animal& animal, Palette& palette) {
                                 clip.plan.row_time_s(row))};
             }
             boxes.add(stored, clip.bounds);
+            if (has_arcs && row > 0) grow_by_arcs(clip.bounds);
+        }
+        if (has_arcs && clip.plan.wrap == recipe::Wrap::loop) {
+            encoder.close_clip(clip.closing_row ? clip.first_row + clip.plan.row_count : animal::kNone);
+            grow_by_arcs(clip.bounds);
         }
         if (!clip.bounds.fits_floats())
             return Issue{
@@ -132,12 +193,21 @@ base::Result<Palette> make_palette(const recipe::AnimalEntry& entry, const Anima
                      fmt::format("expected a rest pose with a size, found a radius of {:.3g} m", radius_m)};
     if (auto status = plan_clips(animal, choices.value(), points, palette, findings); !status)
         return status.issue();
-    const palette::PaletteClip& last = palette.clips.back();
+    if (entry.output.is_normalised()) palette.spaces = choose_spaces(animal, palette);
+    palette::RoundingAids aids;
+    aids.halves = palette.spaces.normalised ? palette::Halves::normal : palette::Halves::all;
+    aids.moments = palette::bone_moments(points, palette.spaces, animal.bones.size(), palette.reach());
+    if (entry.output.encoding == recipe::Encoding::dualquat) {
+        if (auto status = fit_dualquats(animal, aids.moments, palette); !status) return status.issue();
+        aids.dualquat_length = palette.dualquat_length;
+    }
+    const auto row_count = number_rows(animal, palette);
+    if (!row_count) return row_count.issue();
     auto layout = palette::choose_layout(entry.output, static_cast<std::uint32_t>(animal.bones.size()),
-                                         last.first_row + last.plan.row_count);
+                                         row_count.value());
     if (!layout) return layout.issue();
     palette.layout = layout.value();
-    if (auto status = sample_clips(animal, palette); !status) return status.issue();
+    if (auto status = sample_clips(animal, aids, palette); !status) return status.issue();
     if (auto status = check_seam_gaps(animal, palette); !status) return status.issue();
     return palette;
 }

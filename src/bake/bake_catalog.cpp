@@ -49,6 +49,7 @@ std::string options_text(const CatalogSource& source, const AnimalOptions& optio
     nlohmann::json json = nlohmann::json::object();
     const recipe::OutputOverrides& o = source.overrides;
     if (o.encoding) json["encoding"] = name_of(*o.encoding);
+    if (o.space) json["space"] = name_of(*o.space);
     if (o.texel_format) json["texel_format"] = name_of(*o.texel_format);
     if (o.texel_order) json["texel_order"] = name_of(*o.texel_order);
     if (o.row_pitch) json["row_pitch"] = name_of(*o.row_pitch);

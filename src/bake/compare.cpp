@@ -15,6 +15,7 @@ void add(recipe::VramRecord& sum, const recipe::VramRecord& vram, std::uint64_t 
     sum.mat4_rgba16f += vram.mat4_rgba16f * copies;
     sum.affine_rgba32f += vram.affine_rgba32f * copies;
     sum.affine_rgba16f += vram.affine_rgba16f * copies;
+    sum.dualquat_rgba16f += vram.dualquat_rgba16f * copies;
     sum.vat_position_rgb32f += vram.vat_position_rgb32f * copies;
     sum.vat_rgba32f += vram.vat_rgba32f * copies;
     sum.vat_rgba16f += vram.vat_rgba16f * copies;

@@ -79,7 +79,7 @@ recipe::VramRecord vram_of(std::uint64_t row_count, std::uint64_t bone_count, st
     const auto bytes = [&](std::size_t form) {
         return vat::texture_bytes(vat::kForms[form], row_count, bone_count, vertex_count);
     };
-    return {bytes(0), bytes(1), bytes(2), bytes(3), bytes(4), bytes(5), bytes(6)};
+    return {bytes(0), bytes(1), bytes(2), bytes(3), bytes(4), bytes(5), bytes(6), bytes(7)};
 }
 
 }  // namespace posepack::bake

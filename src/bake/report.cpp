@@ -12,7 +12,8 @@
 namespace posepack::bake {
 namespace {
 
-constexpr recipe::Encoding kEncodings[] = {recipe::Encoding::mat4, recipe::Encoding::affine};
+constexpr recipe::Encoding kEncodings[] = {recipe::Encoding::mat4, recipe::Encoding::affine,
+                                           recipe::Encoding::dualquat};
 constexpr recipe::TexelFormat kFormats[] = {recipe::TexelFormat::rgba32f, recipe::TexelFormat::rgba16f};
 
 base::Result<ReportRow> report_form(recipe::AnimalEntry entry, std::span<const std::uint8_t> glb,
@@ -33,11 +34,11 @@ base::Result<ReportRow> report_form(recipe::AnimalEntry entry, std::span<const s
 
 }  // namespace
 
-base::Result<std::vector<ReportRow>> report_catalog(const CatalogSource& source,
-                                                    const std::vector<std::optional<double>>& rates_hz) {
+base::Result<Report> report_catalog(const CatalogSource& source,
+                                    const std::vector<std::optional<double>>& rates_hz) {
     const auto file = open_catalog(source);
     if (!file) return file.issue();
-    std::vector<ReportRow> rows;
+    Report report;
     for (const recipe::AnimalEntry& entry : file.value().catalog.animals) {
         const auto glb = read_model(file.value(), entry);
         if (!glb) return glb.issue();
@@ -52,11 +53,14 @@ base::Result<std::vector<ReportRow>> report_catalog(const CatalogSource& source,
                     form.output.encoding = encoding;
                     form.output.texel_format = format;
                     auto row = report_form(std::move(form), glb.value(), points, rate_hz);
-                    if (!row) return row.issue();
-                    rows.push_back(std::move(row).value());
+                    if (!row && row.issue().code != base::IssueCode::lim_similarity) return row.issue();
+                    if (row)
+                        report.rows.push_back(std::move(row).value());
+                    else
+                        report.refused.push_back(row.issue());
                 }
     }
-    return rows;
+    return report;
 }
 
 }  // namespace posepack::bake

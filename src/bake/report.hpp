@@ -20,10 +20,15 @@ struct ReportRow {
     double bake_ms = 0.0;               // read, sample, encode; without the measurement
 };
 
-// Bakes all four forms (mat4, affine; RGBA32F, RGBA16F) at each of `rates_hz` (nothing: the clips' own key
-// grids). Animals are taken one after the other on one thread, so that times can be compared.
-// Errors: those of open_catalog, read_model and bake_animal.
-base::Result<std::vector<ReportRow>> report_catalog(const CatalogSource& source,
-                                                    const std::vector<std::optional<double>>& rates_hz);
+struct Report {
+    std::vector<ReportRow> rows;
+    std::vector<base::Issue> refused;  // forms that an animal cannot have: no row
+};
+
+// Bakes all six forms (mat4, affine, dualquat; RGBA32F, RGBA16F), each in its default space, at each of
+// `rates_hz` (nothing: the clips' own key grids). Animals are taken one after the other on one thread, so
+// that times can be compared. Errors: those of open_catalog, read_model and bake_animal.
+base::Result<Report> report_catalog(const CatalogSource& source,
+                                    const std::vector<std::optional<double>>& rates_hz);
 
 }  // namespace posepack::bake

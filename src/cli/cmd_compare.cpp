@@ -24,8 +24,8 @@ struct Options {
 constexpr std::uint32_t kInfluences = 4;
 
 std::array<std::uint64_t, vat::kFormCount> in_order(const recipe::VramRecord& vram) {
-    return {vram.mat4_rgba32f,        vram.mat4_rgba16f, vram.affine_rgba32f, vram.affine_rgba16f,
-            vram.vat_position_rgb32f, vram.vat_rgba32f,  vram.vat_rgba16f};
+    return {vram.mat4_rgba32f,     vram.mat4_rgba16f,        vram.affine_rgba32f, vram.affine_rgba16f,
+            vram.dualquat_rgba16f, vram.vat_position_rgb32f, vram.vat_rgba32f,    vram.vat_rgba16f};
 }
 
 std::vector<std::string> cells_of(const bake::CompareRow& row) {

@@ -96,15 +96,17 @@ nlohmann::json row_json(const bake::ReportRow& row) {
 int run(const Options& options) {
     std::vector<std::optional<double>> rates_hz;
     for (const std::string& text : options.rates) rates_hz.push_back(rate_of(text));
-    const auto rows = bake::report_catalog(*options.source, rates_hz);
-    if (!rows) return fail(rows.issue());
+    const auto report = bake::report_catalog(*options.source, rates_hz);
+    if (!report) return fail(report.issue());
+    // A form that an animal cannot have is a finding of the report, not its failure.
+    print_issues(report.value().refused);
     if (*options.format == Format::json) {
         nlohmann::json list = nlohmann::json::array();
-        for (const bake::ReportRow& row : rows.value()) list.push_back(row_json(row));
+        for (const bake::ReportRow& row : report.value().rows) list.push_back(row_json(row));
         fmt::print("{}\n", nlohmann::json{{"schema", "posepack-report-1"}, {"rows", list}}.dump(1));
         return 0;
     }
-    const auto table = report_table(rows.value());
+    const auto table = report_table(report.value().rows);
     fmt::print("{}", *options.format == Format::csv ? format_csv(table) : format_text(table));
     return 0;
 }

@@ -12,6 +12,7 @@ namespace {
 using recipe::Caps;
 using recipe::Encoding;
 using recipe::RowPitch;
+using recipe::Space;
 using recipe::TexelFormat;
 using recipe::TexelOrder;
 
@@ -77,7 +78,9 @@ void add_catalog_options(CLI::App& app, const std::shared_ptr<bake::CatalogSourc
 
 void add_output_options(CLI::App& app, const std::shared_ptr<bake::CatalogSource>& source) {
     add_choice(app, "--encoding", "Form of a bone", source, &recipe::OutputOverrides::encoding,
-               {Encoding::mat4, Encoding::affine});
+               {Encoding::mat4, Encoding::affine, Encoding::dualquat});
+    add_choice(app, "--space", "Coordinates of the rows", source, &recipe::OutputOverrides::space,
+               {Space::automatic, Space::model, Space::normalised});
     add_choice(app, "--texel-format", "Numbers of a texel", source, &recipe::OutputOverrides::texel_format,
                {TexelFormat::rgba16f, TexelFormat::rgba32f});
     add_choice(app, "--texel-order", "Order of a row's texels", source, &recipe::OutputOverrides::texel_order,

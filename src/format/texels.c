@@ -22,6 +22,7 @@ uint32_t posepack_encoding_texels(uint32_t encoding) {
             return 4;
         case POSEPACK_ENCODING_AFFINE:
             return 3;
+        case POSEPACK_ENCODING_DUALQUAT:
         case POSEPACK_ENCODING_LOCAL:
             return 2;
         case POSEPACK_ENCODING_PACKED:

@@ -31,7 +31,7 @@ typedef struct posepack_texel_layout {
 /* Bytes of one texel of a POSEPACK_TEXEL_* format: 8 or 16; 0 for a format nobody knows. */
 uint32_t posepack_texel_bytes(uint32_t texel_format);
 
-/* Texels a bone takes in an encoding that has one size: mat4 4, affine 3, local 2, packed 1; else 0. */
+/* Texels a bone takes in an encoding: mat4 4, affine 3, dualquat and local 2, packed 1; else 0. */
 uint32_t posepack_encoding_texels(uint32_t encoding);
 
 /* Linear index of texel `k` of bone `bone` in row `row`. Cannot overflow within the format's limits. */

@@ -54,14 +54,16 @@ static int header_is_valid(const posepack_view* view) {
 
 /* The encodings, formats, orders and row schemes that this reader has code for. */
 static int header_is_supported(const posepack_header* h) {
-    return h->encoding <= POSEPACK_ENCODING_AFFINE && h->texel_format <= POSEPACK_TEXEL_RGBA32F &&
+    return h->encoding <= POSEPACK_ENCODING_DUALQUAT && h->texel_format <= POSEPACK_TEXEL_RGBA32F &&
            h->texel_order <= POSEPACK_ORDER_PLANAR && h->row_scheme == POSEPACK_ROWS_UNIFORM;
 }
 
-/* What mat4 and affine ask of the header. */
+/* What an encoding asks of the header. */
 static int encoding_is_consistent(const posepack_view* view) {
-    return view->header.texels_per_bone == posepack_encoding_texels(view->header.encoding) &&
-           posepack_all_zero(view->bytes + POSEPACK_HDR_DUALQUAT_LENGTH, 4);
+    const uint8_t* length = view->bytes + POSEPACK_HDR_DUALQUAT_LENGTH;
+    if (view->header.texels_per_bone != posepack_encoding_texels(view->header.encoding)) return 0;
+    return view->header.encoding == POSEPACK_ENCODING_DUALQUAT ? all_positive(length, 1)
+                                                               : posepack_all_zero(length, 4);
 }
 
 /*
@@ -205,6 +207,13 @@ static int space_is_valid(const posepack_view* view, table_counts* counts) {
     return 1;
 }
 
+/* Dual quaternions of a loop alone may need one: q and -q are the same rotation, but blend differently. */
+static int closing_row_is_valid(const uint8_t* r) {
+    const int may_close = r[POSEPACK_CLIP_ENCODING] == POSEPACK_ENCODING_DUALQUAT &&
+                          r[POSEPACK_CLIP_WRAP] == POSEPACK_WRAP_LOOP;
+    return r[POSEPACK_CLIP_CLOSING_ROW] <= may_close;
+}
+
 /* Names, encoding, enumerations, and what this draft leaves empty. */
 static int clip_kind_is_valid(const posepack_view* view, const uint8_t* r, uint32_t string_count) {
     return posepack_read_u32(r + POSEPACK_CLIP_NAME) < string_count &&
@@ -213,8 +222,7 @@ static int clip_kind_is_valid(const posepack_view* view, const uint8_t* r, uint3
            r[POSEPACK_CLIP_TEXELS_PER_BONE] == view->header.texels_per_bone &&
            r[POSEPACK_CLIP_ROW_SCHEME] == view->header.row_scheme &&
            r[POSEPACK_CLIP_WRAP] <= POSEPACK_WRAP_PING_PONG && r[POSEPACK_CLIP_SEAM] <= POSEPACK_SEAM_OPEN &&
-           r[POSEPACK_CLIP_CLOSING_ROW] == 0 &&
-           r[POSEPACK_CLIP_INTERPOLATION] <= POSEPACK_INTERPOLATION_STEP &&
+           closing_row_is_valid(r) && r[POSEPACK_CLIP_INTERPOLATION] <= POSEPACK_INTERPOLATION_STEP &&
            r[POSEPACK_CLIP_FLAGS] <= POSEPACK_CLIP_FLAG_MEASURED &&
            posepack_all_zero(r + POSEPACK_CLIP_TRANSLATION_MIN, 24) &&
            posepack_read_u32(r + POSEPACK_CLIP_FIRST_ROOT_MOTION) == POSEPACK_NONE &&
@@ -264,10 +272,12 @@ static int clip_error_is_valid(const posepack_view* view, const uint8_t* error, 
 static int clip_rows_are_valid(const posepack_view* view, const uint8_t* r, uint32_t* next_row) {
     const uint32_t row_count = posepack_read_u32(r + POSEPACK_CLIP_ROW_COUNT);
     const uint32_t row_texels = view->header.bone_count * view->header.texels_per_bone;
+    const uint32_t closing_row = r[POSEPACK_CLIP_CLOSING_ROW];
     if (posepack_read_u32(r + POSEPACK_CLIP_FIRST_ROW) != *next_row) return 0;
     if (row_count < 1 || row_count > view->header.row_count - *next_row) return 0;
     if (posepack_read_u32(r + POSEPACK_CLIP_FIRST_TEXEL) != *next_row * row_texels) return 0;
-    *next_row += row_count;
+    if (closing_row > view->header.row_count - *next_row - row_count) return 0;
+    *next_row += row_count + closing_row;
     return 1;
 }
 

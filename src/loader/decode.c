@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Pixels: the rules of the pixel section, and bone-rows as matrices. */
 #include "format/bytes.h"
+#include "format/dualquat.h"
 #include "format/half.h"
 #include "loader/internal.h"
 
@@ -62,6 +63,40 @@ static int bottom_row_is_affine(const uint8_t* row, const posepack_texel_layout*
     return 1;
 }
 
+/*
+ * A real part that can be normalised: some component of at least 1/4 and none above 2, by their bits without
+ * the sign. Writers stay near length 1.
+ */
+static int real_parts_are_usable(const uint8_t* row, const posepack_texel_layout* layout, int is_half) {
+    const uint32_t bone_step = layout->texel_order == POSEPACK_ORDER_PLANAR ? 1 : 2;
+    const uint32_t quarter = is_half ? 0x3400u : 0x3E800000u;
+    const uint32_t two = is_half ? 0x4000u : 0x40000000u;
+    uint32_t bone, c;
+    for (bone = 0; bone < layout->bone_count; ++bone) {
+        const uint8_t* texel = row + bone * bone_step * layout->texel_bytes;
+        uint32_t largest = 0;
+        for (c = 0; c < 4; ++c) {
+            const uint32_t magnitude = is_half ? posepack_read_u16(texel + 2 * c) & 0x7FFFu
+                                               : posepack_read_u32(texel + 4 * c) & 0x7FFFFFFFu;
+            if (magnitude > largest) largest = magnitude;
+        }
+        if (largest < quarter || largest > two) return 0;
+    }
+    return 1;
+}
+
+static int row_is_valid(const posepack_view* view, const uint8_t* row, const posepack_texel_layout* layout,
+                        int is_half) {
+    switch (view->header.encoding) {
+        case POSEPACK_ENCODING_MAT4:
+            return bottom_row_is_affine(row, layout, is_half);
+        case POSEPACK_ENCODING_DUALQUAT:
+            return real_parts_are_usable(row, layout, is_half);
+        default:
+            return 1;
+    }
+}
+
 static int is_equal(const uint8_t* a, const uint8_t* b, uint32_t size) {
     uint32_t i;
     for (i = 0; i < size; ++i) {
@@ -84,8 +119,7 @@ static posepack_result check_line(const posepack_view* view, const posepack_texe
         if (line * layout->rows_per_line + column >= view->header.row_count) {
             /* Blending may read one row too far: what it finds there must be a pose. */
             if (!is_equal(row, last, row_bytes)) return POSEPACK_ERROR_SEMANTIC;
-        } else if (view->header.encoding == POSEPACK_ENCODING_MAT4 &&
-                   !bottom_row_is_affine(row, layout, is_half)) {
+        } else if (!row_is_valid(view, row, layout, is_half)) {
             return POSEPACK_ERROR_SEMANTIC;
         } else {
             last = row;
@@ -95,6 +129,42 @@ static posepack_result check_line(const posepack_view* view, const posepack_texe
         return POSEPACK_ERROR_PADDING;
     }
     return POSEPACK_OK;
+}
+
+/* A bone of a closing row: the texels of row 0, or these with all eight signs turned. */
+static int bone_closes(const uint8_t* first, const uint8_t* closing, const posepack_texel_layout* layout) {
+    const uint32_t k_step = layout->texel_order == POSEPACK_ORDER_PLANAR ? layout->bone_count : 1;
+    const uint32_t number_bytes = layout->texel_bytes / 4;
+    uint32_t turned = 0, differing = 0;
+    uint32_t k, i;
+    for (k = 0; k < 2; ++k) {
+        const uint8_t* a = first + k * k_step * layout->texel_bytes;
+        const uint8_t* b = closing + k * k_step * layout->texel_bytes;
+        for (i = 0; i < layout->texel_bytes; ++i) {
+            const uint32_t sign = i % number_bytes == number_bytes - 1 ? 0x80u : 0u;
+            differing |= (uint32_t)(a[i] ^ b[i]);
+            turned |= (uint32_t)(a[i] ^ b[i]) ^ sign;
+        }
+    }
+    return differing == 0 || turned == 0;
+}
+
+static int closing_rows_are_valid(const posepack_view* view, const posepack_texel_layout* layout) {
+    const uint8_t* clips = posepack_section_span(view, view->clip_section).data + POSEPACK_CLIP_HEAD_BYTES;
+    uint32_t i, bone;
+    for (i = 0; i < view->header.clip_count; ++i) {
+        const uint8_t* r = clips + i * POSEPACK_CLIP_RECORD_BYTES;
+        const uint32_t first_row = posepack_read_u32(r + POSEPACK_CLIP_FIRST_ROW);
+        const uint32_t row_count = posepack_read_u32(r + POSEPACK_CLIP_ROW_COUNT);
+        if (r[POSEPACK_CLIP_CLOSING_ROW] == 0) continue;
+        for (bone = 0; bone < layout->bone_count; ++bone) {
+            const uint8_t* first = pixels(view) + posepack_texel_offset(layout, first_row, bone, 0);
+            const uint8_t* last =
+                pixels(view) + posepack_texel_offset(layout, first_row + row_count, bone, 0);
+            if (!bone_closes(first, last, layout)) return 0;
+        }
+    }
+    return 1;
 }
 
 posepack_result posepack_check_pixels(const posepack_view* view) {
@@ -107,7 +177,7 @@ posepack_result posepack_check_pixels(const posepack_view* view) {
         const posepack_result result = check_line(view, &layout, line, row_bytes);
         if (result != POSEPACK_OK) return result;
     }
-    return POSEPACK_OK;
+    return closing_rows_are_valid(view, &layout) ? POSEPACK_OK : POSEPACK_ERROR_SEMANTIC;
 }
 
 posepack_result posepack_get_texels(const posepack_view* view, posepack_texels* texels) {
@@ -130,16 +200,41 @@ static void read_texel(const uint8_t* texel, uint32_t texel_bytes, float out[4])
     }
 }
 
-/* Texels of one bone, `k_step` bytes apart, to a 3x4 matrix: columns of a mat4, rows of an affine. */
-static void decode_texels(const uint8_t* texel, uint32_t k_step, const posepack_texel_layout* layout,
-                          float* matrix) {
+/* Where the texels of one bone-row are, and how to read them. */
+typedef struct bone_source {
+    posepack_texel_layout layout;
+    uint32_t k_step; /* bytes from a texel of a bone to its next */
+    uint32_t encoding;
+    float dualquat_length;
+} bone_source;
+
+static bone_source source_of(const posepack_view* view) {
+    bone_source source;
+    source.layout = posepack_view_layout(view);
+    source.k_step = source.layout.texel_order == POSEPACK_ORDER_PLANAR
+                        ? source.layout.bone_count * source.layout.texel_bytes
+                        : source.layout.texel_bytes;
+    source.encoding = view->header.encoding;
+    source.dualquat_length = view->header.dualquat_length;
+    return source;
+}
+
+static posepack_dualquat read_dualquat(const bone_source* source, const uint8_t* texel) {
+    posepack_dualquat row;
+    read_texel(texel, source->layout.texel_bytes, row.real);
+    read_texel(texel + source->k_step, source->layout.texel_bytes, row.dual);
+    return row;
+}
+
+/* Columns of a mat4, rows of an affine, to a 3x4 matrix. */
+static void read_matrix(const bone_source* source, const uint8_t* texel, float* matrix) {
     float column[4];
     uint32_t k;
-    for (k = 0; k < layout->texels_per_bone; ++k) {
-        if (layout->texels_per_bone == 3) {
-            read_texel(texel + k * k_step, layout->texel_bytes, matrix + 4 * k);
+    for (k = 0; k < source->layout.texels_per_bone; ++k) {
+        if (source->encoding == POSEPACK_ENCODING_AFFINE) {
+            read_texel(texel + k * source->k_step, source->layout.texel_bytes, matrix + 4 * k);
         } else {
-            read_texel(texel + k * k_step, layout->texel_bytes, column);
+            read_texel(texel + k * source->k_step, source->layout.texel_bytes, column);
             matrix[k] = column[0];
             matrix[4 + k] = column[1];
             matrix[8 + k] = column[2];
@@ -147,31 +242,73 @@ static void decode_texels(const uint8_t* texel, uint32_t k_step, const posepack_
     }
 }
 
-static uint32_t texel_step(const posepack_texel_layout* layout) {
-    return layout->texel_order == POSEPACK_ORDER_PLANAR ? layout->bone_count * layout->texel_bytes
-                                                        : layout->texel_bytes;
+static void decode_texels(const bone_source* source, const uint8_t* texel, float* matrix) {
+    if (source->encoding == POSEPACK_ENCODING_DUALQUAT) {
+        const posepack_dualquat row = read_dualquat(source, texel);
+        posepack_dualquat_decode(&row, source->dualquat_length, matrix);
+    } else {
+        read_matrix(source, texel, matrix);
+    }
+}
+
+static void blend_texels(const bone_source* source, const uint8_t* texel0, const uint8_t* texel1,
+                         float factor, float* matrix) {
+    if (source->encoding == POSEPACK_ENCODING_DUALQUAT) {
+        const posepack_dualquat a = read_dualquat(source, texel0);
+        const posepack_dualquat b = read_dualquat(source, texel1);
+        posepack_dualquat_blend(&a, &b, factor, source->dualquat_length, matrix);
+    } else {
+        float other[12];
+        uint32_t i;
+        read_matrix(source, texel0, matrix);
+        read_matrix(source, texel1, other);
+        for (i = 0; i < 12; ++i) matrix[i] = matrix[i] * (1.0f - factor) + other[i] * factor;
+    }
+}
+
+static const uint8_t* bone_texel(const posepack_view* view, const bone_source* source, uint32_t row,
+                                 uint32_t bone) {
+    return pixels(view) + posepack_texel_offset(&source->layout, row, bone, 0);
+}
+
+/* Bones `first` to `last` - 1, between two rows that are in range. */
+static void blend_bones(const posepack_view* view, uint32_t row0, uint32_t row1, float factor, uint32_t first,
+                        uint32_t last, float* matrices) {
+    const bone_source source = source_of(view);
+    uint32_t bone;
+    for (bone = first; bone < last; ++bone, matrices += 12) {
+        if (factor == 0.0f) {
+            decode_texels(&source, bone_texel(view, &source, row0, bone), matrices);
+        } else {
+            blend_texels(&source, bone_texel(view, &source, row0, bone),
+                         bone_texel(view, &source, row1, bone), factor, matrices);
+        }
+    }
+}
+
+posepack_result posepack_blend_bone(const posepack_view* view, uint32_t row0, uint32_t row1, float factor,
+                                    uint32_t bone, float matrix[12]) {
+    if (view == NULL || view->bytes == NULL || matrix == NULL) return POSEPACK_ERROR_ARG;
+    if (row0 >= view->header.row_count || row1 >= view->header.row_count || bone >= view->header.bone_count) {
+        return POSEPACK_ERROR_INDEX;
+    }
+    blend_bones(view, row0, row1, factor, bone, bone + 1, matrix);
+    return POSEPACK_OK;
+}
+
+posepack_result posepack_blend_row(const posepack_view* view, uint32_t row0, uint32_t row1, float factor,
+                                   float* matrices) {
+    if (view == NULL || view->bytes == NULL || matrices == NULL) return POSEPACK_ERROR_ARG;
+    if (row0 >= view->header.row_count || row1 >= view->header.row_count) return POSEPACK_ERROR_INDEX;
+    blend_bones(view, row0, row1, factor, 0, view->header.bone_count, matrices);
+    return POSEPACK_OK;
 }
 
 posepack_result posepack_decode_bone(const posepack_view* view, uint32_t row, uint32_t bone,
                                      float matrix[12]) {
-    posepack_texel_layout layout;
-    if (view == NULL || view->bytes == NULL || matrix == NULL) return POSEPACK_ERROR_ARG;
-    if (row >= view->header.row_count || bone >= view->header.bone_count) return POSEPACK_ERROR_INDEX;
-    layout = posepack_view_layout(view);
-    decode_texels(pixels(view) + posepack_texel_offset(&layout, row, bone, 0), texel_step(&layout), &layout,
-                  matrix);
-    return POSEPACK_OK;
+    return posepack_blend_bone(view, row, row, 0.0f, bone, matrix);
 }
 
 posepack_result posepack_decode_row(const posepack_view* view, uint32_t row, float* matrices) {
-    posepack_texel_layout layout;
-    uint32_t bone;
-    if (view == NULL || view->bytes == NULL || matrices == NULL) return POSEPACK_ERROR_ARG;
-    if (row >= view->header.row_count) return POSEPACK_ERROR_INDEX;
-    layout = posepack_view_layout(view);
-    for (bone = 0; bone < layout.bone_count; ++bone) {
-        decode_texels(pixels(view) + posepack_texel_offset(&layout, row, bone, 0), texel_step(&layout),
-                      &layout, matrices + 12 * bone);
-    }
-    return POSEPACK_OK;
+    return posepack_blend_row(view, row, row, 0.0f, matrices);
 }

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <vector>
 
-#include "measure/decoded_rows.hpp"
+#include "posepack/loader.h"
 
 namespace posepack::measure {
 namespace {
@@ -39,7 +39,6 @@ double decode_cost_ns(std::span<const std::uint8_t> container, const motion::Ski
     constexpr std::uint32_t kPoses = 32;
     std::vector<float> matrices(std::size_t{view.header.bone_count} * 12);
     std::vector<Point> posed(points.size());
-    DecodedRows rows(view);
     double best_s = 1e9;
     for (int round = 0; round < kRounds; ++round) {
         const auto start = std::chrono::steady_clock::now();
@@ -47,7 +46,7 @@ double decode_cost_ns(std::span<const std::uint8_t> container, const motion::Ski
             // Far apart, so that every pose decodes two rows of its own.
             const std::uint32_t row =
                 static_cast<std::uint32_t>(std::uint64_t{pose} * 7919 % view.header.row_count);
-            rows.blend(row, (row + 1) % view.header.row_count, 0.5f, matrices);
+            posepack_blend_row(&view, row, (row + 1) % view.header.row_count, 0.5f, matrices.data());
             skin_floats(points, matrices, posed);
         }
         const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;

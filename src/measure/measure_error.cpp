@@ -4,10 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
-#include "measure/decoded_rows.hpp"
 #include "measure/skin_difference.hpp"
+#include "posepack/loader.h"
 
 namespace posepack::measure {
 namespace {
@@ -70,6 +71,15 @@ Place place_of(const Animal& animal, const SkinSet& set, std::uint32_t entry) {
     return {mesh, vertex - animal.meshes[mesh].first_vertex};
 }
 
+Affine affine_of(const float* matrix) {
+    Affine out;
+    for (int r = 0; r < 3; ++r) {
+        for (int c = 0; c < 3; ++c) out.linear[c][r] = static_cast<double>(matrix[r * 4 + c]);
+        out.translation[r] = static_cast<double>(matrix[r * 4 + 3]);
+    }
+    return out;
+}
+
 // Measures one clip after the other with buffers that are made once.
 class ClipMeter {
  public:
@@ -79,7 +89,7 @@ class ClipMeter {
           palette_(palette),
           points_(points),
           normals_(normals),
-          rows_(view),
+          view_(view),
           bones_(animal.bones.size()),
           blended_(animal.bones.size() * 12) {
         difference_.values.resize(animal.bones.size() * 12 * kLanes);
@@ -128,21 +138,25 @@ class ClipMeter {
     void fill_lane(motion::ClipSampler& sampler, const palette::PaletteClip& clip, double time_s,
                    std::size_t lane) {
         sampler.sample(time_s, bones_);
-        const motion::RowBlend blend = clip.plan.rows_at(time_s);
-        rows_.blend(clip.first_row + blend.row0, clip.first_row + blend.row1,
-                    static_cast<float>(blend.factor), blended_);
-        for (std::size_t b = 0; b < bones_.size(); ++b)
+        const motion::RowBlend blend = clip.rows_at(time_s);
+        [[maybe_unused]] const posepack_result result =
+            posepack_blend_row(&view_, clip.first_row + blend.row0, clip.first_row + blend.row1,
+                               static_cast<float>(blend.factor), blended_.data());
+        assert(result == POSEPACK_OK);
+        for (std::size_t b = 0; b < bones_.size(); ++b) {
+            const Affine found = palette_.spaces.leave(b, affine_of(&blended_[b * 12]));
             for (int r = 0; r < 3; ++r) {
                 for (int c = 0; c < 4; ++c) {
-                    const double exact = c < 3 ? bones_[b].linear[c][r] : bones_[b].translation[r];
+                    const double difference = c < 3 ? found.linear[c][r] - bones_[b].linear[c][r]
+                                                    : found.translation[r] - bones_[b].translation[r];
                     const std::size_t e = b * 12 + static_cast<std::size_t>(r * 4 + c);
-                    difference_.values[e * kLanes + lane] =
-                        static_cast<float>(static_cast<double>(blended_[e]) - exact);
+                    difference_.values[e * kLanes + lane] = static_cast<float>(difference);
                 }
                 for (int c = 0; c < 3; ++c)
                     exact_.values[(b * 9 + static_cast<std::size_t>(r * 3 + c)) * kLanes + lane] =
                         static_cast<float>(bones_[b].linear[c][r]);
             }
+        }
     }
 
     // The bone that moves the worst vertex furthest from its place, weights taken into account.
@@ -198,7 +212,7 @@ class ClipMeter {
     const palette::Palette& palette_;
     const SkinSet& points_;
     const SkinSet& normals_;
-    DecodedRows rows_;
+    const posepack_view& view_;
     std::vector<Affine> bones_;
     std::vector<float> blended_;
     LaneMatrices difference_, exact_;

@@ -60,6 +60,7 @@ json error_json(const posepack_clip_error& error, float radius_m) {
 json clip_json(const posepack_clip& clip, float radius_m) {
     json out{{"name", text_of(clip.name)},
              {"source_name", text_of(clip.source_name)},
+             {"closing_row", clip.closing_row},
              {"encoding", encoding_name(clip.encoding)},
              {"wrap", wrap_name(clip.wrap)},
              {"seam", seam_name(clip.seam)},
@@ -212,6 +213,8 @@ std::string encoding_name(std::uint32_t encoding) {
             return "mat4";
         case POSEPACK_ENCODING_AFFINE:
             return "affine";
+        case POSEPACK_ENCODING_DUALQUAT:
+            return "dualquat";
         default:
             return fmt::format("encoding {}", encoding);
     }

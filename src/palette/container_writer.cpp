@@ -123,7 +123,7 @@ void write_clip(ByteWriter& out, const Animal& animal, const Palette& palette, c
     out.u8(POSEPACK_ROWS_UNIFORM);
     out.u8(wrap_value(plan.wrap));
     out.u8(plan.seam == recipe::Seam::open ? POSEPACK_SEAM_OPEN : POSEPACK_SEAM_CLOSED);
-    out.u8(0);  // no closing row: mat4 and affine blend into row 0
+    out.u8(clip.closing_row ? 1 : 0);
     out.u8(plan.step ? POSEPACK_INTERPOLATION_STEP : POSEPACK_INTERPOLATION_LINEAR);
     out.u8(0);  // not measured yet
     out.u32(clip.first_row);
@@ -184,20 +184,23 @@ std::vector<std::uint8_t> bone_section(const Animal& animal, const StringTable& 
     return out.take();
 }
 
-void write_identity(ByteWriter& out) {
-    for (int r = 0; r < 3; ++r)
-        for (int c = 0; c < 4; ++c) out.f32(r == c ? 1.0f : 0.0f);
+void write_affine(ByteWriter& out, const motion::Affine& map) {
+    for (int r = 0; r < 3; ++r) {
+        for (int c = 0; c < 3; ++c) out.f32(static_cast<float>(map.linear[c][r]));
+        out.f32(static_cast<float>(map.translation[r]));
+    }
 }
 
 std::vector<std::uint8_t> space_section(const Animal& animal, const Palette& palette,
                                         const StringTable& strings) {
     ByteWriter out;
-    write_identity(out);  // palette space is model space
+    write_affine(out, palette.spaces.model_from_palette);
     out.u32(static_cast<std::uint32_t>(palette.forward));
     out.f32(static_cast<float>(palette.metres_per_unit));
     out.u32(static_cast<std::uint32_t>(animal.meshes.size()));
     out.u32(POSEPACK_MESH_RECORD_BYTES);
-    for (const animal::Mesh& mesh : animal.meshes) {
+    for (std::size_t m = 0; m < animal.meshes.size(); ++m) {
+        const animal::Mesh& mesh = animal.meshes[m];
         out.u32(strings.at(mesh.name));
         out.u32(mesh.node);
         out.u32(mesh.mesh);
@@ -206,7 +209,7 @@ std::vector<std::uint8_t> space_section(const Animal& animal, const Palette& pal
         out.u32(mesh.joint_count);
         out.u32(mesh.vertex_count);
         out.u32(0);
-        write_identity(out);
+        write_affine(out, palette.spaces.normalised ? palette.spaces.palette_from_mesh[m] : motion::Affine{});
     }
     return out.take();
 }
@@ -242,14 +245,14 @@ void write_header(ByteWriter& out, const Palette& palette, std::uint32_t section
     out.u8(layout.texels_per_bone);
     out.u8(layout.texel_order);
     out.u8(POSEPACK_ROWS_UNIFORM);
-    out.u8(0);  // space flags
+    out.u8(palette.spaces.normalised ? POSEPACK_SPACE_NORMALISED : 0);
     out.u16(0);
     out.u32(layout.texture_width);
     out.u32(layout.texture_height);
     out.u32(layout.row_pitch_bytes);
     out.u32(layout.rows_per_line);
     out.f32(static_cast<float>(palette.radius * palette.metres_per_unit));
-    out.f32(0.0f);
+    out.f32(palette.dualquat_length);
     out.u32(POSEPACK_BAKE_ABI);
     out.append(recipe);
     out.u32(0);  // table CRC

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "format/texels.h"
 #include "posepack/format.h"
 
 namespace posepack::palette {
@@ -10,17 +11,31 @@ namespace posepack::palette {
 using base::Issue;
 using base::IssueCode;
 
+namespace {
+
+std::uint8_t encoding_of(recipe::Encoding encoding) {
+    switch (encoding) {
+        case recipe::Encoding::mat4:
+            return POSEPACK_ENCODING_MAT4;
+        case recipe::Encoding::affine:
+            return POSEPACK_ENCODING_AFFINE;
+        default:
+            return POSEPACK_ENCODING_DUALQUAT;
+    }
+}
+
+}  // namespace
+
 base::Result<Layout> choose_layout(const recipe::OutputOptions& options, std::uint32_t bone_count,
                                    std::uint32_t row_count) {
-    const bool mat4 = options.encoding == recipe::Encoding::mat4;
     const bool half = options.texel_format == recipe::TexelFormat::rgba16f;
     const bool planar = options.texel_order == recipe::TexelOrder::planar;
     const std::uint32_t cap = options.caps == recipe::Caps::webgl2 ? 4096 : 16384;
     Layout layout;
-    layout.encoding = mat4 ? POSEPACK_ENCODING_MAT4 : POSEPACK_ENCODING_AFFINE;
+    layout.encoding = encoding_of(options.encoding);
     layout.texel_format = half ? POSEPACK_TEXEL_RGBA16F : POSEPACK_TEXEL_RGBA32F;
     layout.texel_order = planar ? POSEPACK_ORDER_PLANAR : POSEPACK_ORDER_BONE_MAJOR;
-    layout.texels_per_bone = mat4 ? 4 : 3;
+    layout.texels_per_bone = static_cast<std::uint8_t>(posepack_encoding_texels(layout.encoding));
     layout.texel_bytes = half ? 8 : 16;
     layout.bone_count = bone_count;
     layout.row_count = row_count;

@@ -11,6 +11,7 @@
 #include "motion/row_plan.hpp"
 #include "palette/bounds.hpp"
 #include "palette/layout.hpp"
+#include "palette/spaces.hpp"
 #include "recipe/catalog.hpp"
 
 namespace posepack::palette {
@@ -19,9 +20,20 @@ struct PaletteClip {
     std::uint32_t source = 0;  // index into Animal::clips
     motion::RowPlan plan;
     std::uint32_t first_row = 0;
+    bool closing_row = false;  // row 0 once more behind the last row, not counted in plan.row_count
     double speed_mps = 0.0;
     double stride_phase = 0.0;
     Box bounds;
+
+    // The stored rows, counted from the clip's first, that show clip time `time_s`: the plan's, but that a
+    // closing row stands for row 0 at the end.
+    motion::RowBlend rows_at(double time_s) const {
+        motion::RowBlend blend = plan.rows_at(time_s);
+        const bool wraps = blend.row0 + 1 == plan.row_count && blend.row1 == 0 && plan.row_count > 1;
+        if (closing_row && wraps) blend.row1 = plan.row_count;
+        return blend;
+    }
+    std::uint32_t stored_rows() const { return plan.row_count + (closing_row ? 1 : 0); }
 };
 
 struct PaletteState {
@@ -37,7 +49,12 @@ struct Palette {
     recipe::ForwardAxis forward = recipe::ForwardAxis::plus_z;
     double metres_per_unit = 1.0;
     double radius = 0.0;  // R in model units
+    Spaces spaces;
+    float dualquat_length = 0.0f;  // L in units of palette space; zero under other encodings
     std::vector<std::uint8_t> pixels;
+
+    // R in units of palette space.
+    double reach() const { return spaces.normalised ? 1.0 : radius; }
 };
 
 // Measured error of one clip, as the container stores it. Lengths as fractions of R, angles in degrees.

@@ -73,12 +73,13 @@ void read_choice(const Value& object, std::string_view key, Choice* choice) {
 void read_output(const Value& object, OutputOptions* options) {
     const std::optional<Value> output = object.find("output");
     if (!output) return;
-    output->expect_object({"caps", "encoding", "row_pitch", "texel_format", "texel_order"});
+    output->expect_object({"caps", "encoding", "row_pitch", "space", "texel_format", "texel_order"});
     read_choice(*output, "encoding", &options->encoding);
     read_choice(*output, "texel_format", &options->texel_format);
     read_choice(*output, "texel_order", &options->texel_order);
     read_choice(*output, "row_pitch", &options->row_pitch);
     read_choice(*output, "caps", &options->caps);
+    read_choice(*output, "space", &options->space);
 }
 
 void apply(const OutputOverrides& overrides, OutputOptions* options) {
@@ -87,6 +88,7 @@ void apply(const OutputOverrides& overrides, OutputOptions* options) {
     options->texel_order = overrides.texel_order.value_or(options->texel_order);
     options->row_pitch = overrides.row_pitch.value_or(options->row_pitch);
     options->caps = overrides.caps.value_or(options->caps);
+    options->space = overrides.space.value_or(options->space);
 }
 
 void read_units(const Value& object, double* metres_per_unit, ForwardAxis* forward) {
@@ -176,6 +178,7 @@ std::string canonical(const AnimalEntry& animal) {
     const Json output{{"caps", name_of(animal.output.caps)},
                       {"encoding", name_of(animal.output.encoding)},
                       {"row_pitch", name_of(animal.output.row_pitch)},
+                      {"space", animal.output.is_normalised() ? "normalised" : "model"},
                       {"texel_format", name_of(animal.output.texel_format)},
                       {"texel_order", name_of(animal.output.texel_order)}};
     const Json entry{{"clips", std::move(clips)},

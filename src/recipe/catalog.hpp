@@ -19,7 +19,8 @@ inline constexpr int kCatalogSchema = 1;
 inline constexpr std::size_t kMaxCatalogBytes = 16u << 20;
 inline constexpr std::size_t kMaxAnimals = 100'000;
 
-enum class Encoding { mat4, affine };
+enum class Encoding { mat4, affine, dualquat };
+enum class Space { automatic, model, normalised };  // of the rows; automatic: model for mat4, else normalised
 enum class TexelFormat { rgba16f, rgba32f };
 enum class TexelOrder { bone_major, planar };
 enum class RowPitch { tight, align256 };
@@ -36,6 +37,11 @@ struct OutputOptions {
     TexelOrder texel_order = TexelOrder::bone_major;
     RowPitch row_pitch = RowPitch::tight;
     Caps caps = Caps::webgl2;
+    Space space = Space::automatic;
+
+    bool is_normalised() const {
+        return space == Space::normalised || (space == Space::automatic && encoding != Encoding::mat4);
+    }
 };
 
 // The fields of OutputOptions that somebody set.
@@ -45,6 +51,7 @@ struct OutputOverrides {
     std::optional<TexelOrder> texel_order;
     std::optional<RowPitch> row_pitch;
     std::optional<Caps> caps;
+    std::optional<Space> space;
 };
 
 // One wish for clips of an animal: a name, or a pattern with * and ?.
@@ -93,6 +100,7 @@ std::string_view name_of(TexelFormat);
 std::string_view name_of(TexelOrder);
 std::string_view name_of(RowPitch);
 std::string_view name_of(Caps);
+std::string_view name_of(Space);
 std::string_view name_of(Wrap);
 std::string_view name_of(Seam);
 std::string_view name_of(ForwardAxis);

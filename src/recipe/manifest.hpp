@@ -48,6 +48,7 @@ struct StateRecord {
 
 struct VramRecord {  // bytes of texels at the same rows, without padding
     std::uint64_t mat4_rgba32f = 0, mat4_rgba16f = 0, affine_rgba32f = 0, affine_rgba16f = 0;
+    std::uint64_t dualquat_rgba16f = 0;
     std::uint64_t vat_position_rgb32f = 0, vat_rgba32f = 0, vat_rgba16f = 0;
 };
 

@@ -103,13 +103,14 @@ StateRecord read_state(const Value& state) {
 }
 
 VramRecord read_vram(const Value& vram) {
-    vram.expect_object({"affine_rgba16f", "affine_rgba32f", "mat4_rgba16f", "mat4_rgba32f",
-                        "vat_position_rgb32f", "vat_rgba16f", "vat_rgba32f"});
+    vram.expect_object({"affine_rgba16f", "affine_rgba32f", "dualquat_rgba16f", "mat4_rgba16f",
+                        "mat4_rgba32f", "vat_position_rgb32f", "vat_rgba16f", "vat_rgba32f"});
     VramRecord record;
     record.mat4_rgba32f = whole_u64(vram, "mat4_rgba32f");
     record.mat4_rgba16f = whole_u64(vram, "mat4_rgba16f");
     record.affine_rgba32f = whole_u64(vram, "affine_rgba32f");
     record.affine_rgba16f = whole_u64(vram, "affine_rgba16f");
+    record.dualquat_rgba16f = whole_u64(vram, "dualquat_rgba16f");
     record.vat_position_rgb32f = whole_u64(vram, "vat_position_rgb32f");
     record.vat_rgba32f = whole_u64(vram, "vat_rgba32f");
     record.vat_rgba16f = whole_u64(vram, "vat_rgba16f");

@@ -54,13 +54,10 @@ Json clip_json(const ClipRecord& clip) {
 Json vram_json(const BakeRecord& record) {
     if (!record.has_vram) return nullptr;
     const VramRecord& vram = record.vram;
-    return {{"affine_rgba16f", vram.affine_rgba16f},
-            {"affine_rgba32f", vram.affine_rgba32f},
-            {"mat4_rgba16f", vram.mat4_rgba16f},
-            {"mat4_rgba32f", vram.mat4_rgba32f},
-            {"vat_position_rgb32f", vram.vat_position_rgb32f},
-            {"vat_rgba16f", vram.vat_rgba16f},
-            {"vat_rgba32f", vram.vat_rgba32f}};
+    return {{"affine_rgba16f", vram.affine_rgba16f},     {"affine_rgba32f", vram.affine_rgba32f},
+            {"dualquat_rgba16f", vram.dualquat_rgba16f}, {"mat4_rgba16f", vram.mat4_rgba16f},
+            {"mat4_rgba32f", vram.mat4_rgba32f},         {"vat_position_rgb32f", vram.vat_position_rgb32f},
+            {"vat_rgba16f", vram.vat_rgba16f},           {"vat_rgba32f", vram.vat_rgba32f}};
 }
 
 Json record_json(const BakeRecord& record) {

@@ -9,7 +9,7 @@
 namespace posepack::vat {
 
 // The forms compared, in the order of Vram::forms.
-inline constexpr std::size_t kFormCount = 7;
+inline constexpr std::size_t kFormCount = 8;
 
 struct Form {
     std::string_view name;
@@ -18,13 +18,14 @@ struct Form {
     std::uint32_t texels_per_element;
 };
 
-// mat4 and affine palettes, then VAT: position alone as 12-byte texels (the published figure), and position
-// with normal, a texel each, as RGBA32F and RGBA16F.
+// mat4, affine and dualquat palettes, then VAT: position alone as 12-byte texels (the published figure), and
+// position with normal, a texel each, as RGBA32F and RGBA16F.
 inline constexpr std::array<Form, kFormCount> kForms{{
     {"mat4 RGBA32F", true, 64, 4},
     {"mat4 RGBA16F", true, 32, 4},
     {"affine RGBA32F", true, 48, 3},
     {"affine RGBA16F", true, 24, 3},
+    {"dualquat RGBA16F", true, 16, 2},
     {"VAT RGB32F position", false, 12, 1},
     {"VAT RGBA32F position + normal", false, 32, 2},
     {"VAT RGBA16F position + normal", false, 16, 2},

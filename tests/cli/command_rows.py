@@ -22,7 +22,7 @@ CONTROL = re.compile(rb"[\x00-\x09\x0b-\x1f\x7f]")
 
 
 def _inspect(case):
-    case.expect_ok(case.bake(deer_and_elk(case), measure=True))
+    case.expect_ok(case.bake(deer_and_elk(case), "--space", "model", measure=True))
     text = case.run("inspect", "--bones", "out/elk.posepack")
     case.expect_ok(text)
     for part in ("affine rgba16f", "3 bones x 90 rows", "Walk", "Run", "radius R", "spine", "head", "PIXL"):
@@ -110,14 +110,14 @@ def _report(case):
     keys = {"animal", "encoding", "texel_format", "rate", "bytes", "max", "p999", "rms", "max_m",
             "p999_m", "rms_m", "normal_max_deg",
             "normal_p999_deg", "normal_rms_deg", "worst", "decode_ns_per_vertex", "bake_ms"}
-    case.equal(len(shown["rows"]), 8, "rows of two encodings, two formats and two rates")
+    case.equal(len(shown["rows"]), 12, "rows of three encodings, two formats and two rates")
     for row in shown["rows"]:
         case.equal(set(row), keys, "keys of a row")
         case.equal(set(row["worst"]), {"clip", "time_s", "mesh", "vertex", "bone"}, "keys of the worst place")
         case.check(row["bake_ms"] > 0 and row["decode_ns_per_vertex"] > 0,
                    f"times: expected them above 0, found {row}")
     by_form = {(row["encoding"], row["texel_format"], row["rate"]): row for row in shown["rows"]}
-    for encoding, texels in itertools.product(("mat4", "affine"), ("rgba16f", "rgba32f")):
+    for encoding, texels in itertools.product(("mat4", "affine", "dualquat"), ("rgba16f", "rgba32f")):
         at_keys, at_15 = by_form[encoding, texels, "keys"], by_form[encoding, texels, "15"]
         case.check(at_15["max"] > 2 * at_keys["max"],
                    f"{encoding} {texels}: half the rate, expected a larger error")
@@ -125,9 +125,9 @@ def _report(case):
                    f"{encoding} {texels}: half the rate, expected fewer bytes")
     table = list(csv.DictReader(io.StringIO(case.run("report", catalog, "--rates", "keys", "--format",
                                                      "csv").stdout)))
-    case.equal([row["animal"] for row in table], ["deer"] * 4, "csv")
+    case.equal([row["animal"] for row in table], ["deer"] * 6, "csv")
     text = case.run("report", catalog)
-    case.equal((text.exit_code, text.stdout.count("deer")), (0, 16), "exit code and lines of text")
+    case.equal((text.exit_code, text.stdout.count("deer")), (0, 24), "exit code and lines of text")
 
 
 def _export(case):

@@ -159,7 +159,7 @@ def _sparse_good(case):
     """The last key may be named: index count - 1 is in range, and its value is the sparse one."""
     catalog = case.write_animal(_changed(lambda d: _sparse(d, 3, glb.KEY_COUNT - 1)),
                                 clips=[{"name": "Idle", "wrap": "once"}])
-    if case.expect_ok(case.bake(catalog)):
+    if case.expect_ok(case.bake(catalog, "--space", "model")):
         found = [case.matrix("out/deer.posepack", row, "root")[3] for row in (3, glb.KEY_COUNT - 1)]
         case.equal(found, [0.25, 0.25], "root x at the sparse keys")
 
@@ -199,7 +199,7 @@ def _image_uris(case):
 def _equal_times(case):
     """Keys 0, 0.5, 0.5, 1 with x = 0, 1, 5, 6: up to 0.5 s towards 1, from 0.5 s on 5 and more."""
     catalog = case.write_animal(_changed(_keys([0, 0.5, 0.5, 1])), clips=[{"name": "Walk", "wrap": "once"}])
-    result = case.bake(catalog, "--rate", 10, "--texel-format", "rgba32f")
+    result = case.bake(catalog, "--rate", 10, "--texel-format", "rgba32f", "--space", "model")
     if case.expect_ok(result, ["W-GLB-TIMES"]):
         case.contains(result.stderr, " 1 ", "the warning's count")
         found = [case.matrix("out/deer.posepack", row, "root")[3] for row in (0, 4, 5, 10)]
@@ -213,10 +213,11 @@ def _half_range(case):
     def change(document):
         _root_translation(document, [70_000, 0, 0])
     catalog = case.write_animal(_changed(change), clips=["Walk"])
-    case.expect_bake_refused(catalog, 6, "E-LIM-HALF-RANGE", mentions=("deer", "Walk", "'root'", "row 0"))
-    case.expect_ok(case.bake(catalog, "--texel-format", "rgba32f"))
+    case.expect_bake_refused(catalog, 6, "E-LIM-HALF-RANGE", "--space", "model", mentions=("deer", "Walk", "'root'", "row 0"))
+    case.expect_ok(case.bake(catalog, "--texel-format", "rgba32f", "--space", "model"))
     found = case.matrix("out/deer.posepack", 0, "root")[3]
     case.equal(found, 70_000.0, "root x in RGBA32F")
+    case.expect_ok(case.bake(catalog, output="normalised"))  # the place of the animal is no part of its rows
 
 
 ROWS = [_refused_row(*row) for row in REFUSED] + [

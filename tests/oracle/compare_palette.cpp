@@ -183,7 +183,10 @@ void Comparer::compare_joint(const posepack_clip& clip, std::uint32_t row, const
         const Difference difference =
             difference_at(expected, found, point_of(animal_.skins[use.skin].boxes[joint], corner));
         const double roundings = difference.distance / (difference.rounding + kDoubleRounding * radius_);
-        if (!(roundings <= result_.roundings)) result_.roundings = roundings;  // NaN is largest of all
+        // What was rounded are numbers of palette space; only in model space is it known what that may cost.
+        const bool in_model_space = (view_.header.space_flags & POSEPACK_SPACE_NORMALISED) == 0;
+        if (in_model_space && !(roundings <= result_.roundings))
+            result_.roundings = roundings;  // NaN is largest of all
         note_error(difference.distance / radius_, clip, row, bone);
     }
     ++result_.matrices;

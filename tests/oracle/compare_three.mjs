@@ -2,7 +2,8 @@
 // Bakes a catalog and compares every bone matrix with three.js.
 //
 //   node compare_three.mjs --posepack EXE --catalog FILE (--assets NAME | --menagerie)
-//                          [--encoding NAME] [--texel-order NAME] [--rate HZ] [--only IDS] [--limit R]
+//                          [--encoding NAME] [--space NAME] [--texel-order NAME] [--rate HZ] [--only IDS]
+//                          [--limit R]
 //
 // --limit is the largest difference allowed, in parts of the radius R (default 1e-5, in RGBA32F).
 //
@@ -18,6 +19,8 @@ import { ThreeAnimal } from './three_animal.mjs';
 
 const SKIPPED = 77;
 
+// The bound, a fraction of R, is for RGBA32F. Dual quaternions leave out the last 1e-4 of a stretch that real files
+// have between a bone's axes, so that they are given more.
 const { values: options } = parseArgs({
     options: {
         posepack: { type: 'string' },
@@ -26,6 +29,7 @@ const { values: options } = parseArgs({
         menagerie: { type: 'boolean', default: false },
         encoding: { type: 'string', default: 'affine' },
         'texel-order': { type: 'string', default: 'bone-major' },
+        space: { type: 'string' },
         rate: { type: 'string' },
         only: { type: 'string' },
         limit: { type: 'string', default: '1e-5' },

@@ -6,7 +6,7 @@
 const MAGIC = [0x8b, 0x50, 0x50, 0x4b, 0x0d, 0x0a, 0x1a, 0x0a];
 const HEADER_BYTES = 128;
 const ENTRY_BYTES = 48;
-const ENCODING_TEXELS = { 1: 4, 2: 3 }; // mat4, affine
+const ENCODING_TEXELS = { 1: 4, 2: 3, 3: 2 }; // mat4, affine, dualquat
 const TEXEL_BYTES = { 1: 8, 2: 16 }; // RGBA16F, RGBA32F
 const PLANAR = 1;
 const WRAPS = ['loop', 'once', 'ping-pong'];
@@ -96,8 +96,9 @@ function readLayout(view) {
         texelOrder: view.getUint8(55),
         rowPitch: view.getUint32(68, true),
         rowsPerLine: view.getUint32(72, true),
+        dualquatLength: view.getFloat32(80, true),
     };
-    expect(ENCODING_TEXELS[layout.encoding] === layout.texelsPerBone, 'encoding mat4 or affine');
+    expect(ENCODING_TEXELS[layout.encoding] === layout.texelsPerBone, 'encoding mat4, affine or dualquat');
     expect(layout.texelFormat in TEXEL_BYTES, 'texel format RGBA16F or RGBA32F');
     return layout;
 }
@@ -118,9 +119,29 @@ function readTexel(pixels, layout, offset) {
     );
 }
 
+// Section 10: the matrix of a dual quaternion whose dual part carries a scale along the real part.
+function dualquatMatrix([x, y, z, w], [dx, dy, dz, dw], length, out) {
+    const square = x * x + y * y + z * z + w * w;
+    const h = 2 / square;
+    const s = 1 + (2 * (x * dx + y * dy + z * dz + w * dw)) / square / length;
+    out.set([
+        ...[1 - h * (y * y + z * z), h * (x * y - w * z), h * (x * z + w * y)].map((m) => s * m),
+        h * (w * dx - dw * x + y * dz - z * dy),
+        ...[h * (x * y + w * z), 1 - h * (x * x + z * z), h * (y * z - w * x)].map((m) => s * m),
+        h * (w * dy - dw * y + z * dx - x * dz),
+        ...[h * (x * z - w * y), h * (y * z + w * x), 1 - h * (x * x + y * y)].map((m) => s * m),
+        h * (w * dz - dw * z + x * dy - y * dx),
+    ]);
+}
+
 // Writes the matrix of a bone-row to `out` (12 numbers, a 3x4 matrix in rows).
 function readBoneRow(pixels, layout, row, bone, out) {
     expect(row < layout.rowCount && bone < layout.boneCount, `row ${row} and bone ${bone} to be stored`);
+    if (layout.encoding === 3) {
+        const [real, dual] = [0, 1].map((k) => readTexel(pixels, layout, texelOffset(layout, row, bone, k)));
+        dualquatMatrix(real, dual, layout.dualquatLength, out);
+        return;
+    }
     for (let k = 0; k < layout.texelsPerBone; ++k) {
         const texel = readTexel(pixels, layout, texelOffset(layout, row, bone, k));
         if (layout.encoding === 2) out.set(texel, 4 * k);

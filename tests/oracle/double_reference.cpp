@@ -3,7 +3,7 @@
 // precision that shares no code with the compiler.
 //
 //   double_reference --posepack EXE --project DIR --catalog FILE [--assets NAME]
-//                    [--encoding NAME] [--texel-order NAME] [--rate HZ] [--only IDS]
+//                    [--encoding NAME] [--space NAME] [--texel-order NAME] [--rate HZ] [--only IDS]
 //
 // Models come from a folder of the assets ("animals"); where none is named they are generated first. Assets
 // lie in POSEPACK_ASSETS, else in shared/assets beside the project; without them the test is skipped (exit
@@ -80,7 +80,7 @@ void bake(const Options& options, const fs::path& models, const fs::path& folder
     std::vector<std::string> args{"bake", options.at("catalog"), "--models", models.string(),
                                   "-o",   folder.string()};
     args.insert(args.end(), {"--texel-format", "rgba32f", "--caps", "desktop", "--no-measure", "--no-fsync"});
-    for (const char* name : {"encoding", "texel-order", "rate", "only"})
+    for (const char* name : {"encoding", "space", "texel-order", "rate", "only"})
         if (options.contains(name)) args.insert(args.end(), {std::string("--") + name, options.at(name)});
     run_posepack(options.at("posepack"), args);
 }

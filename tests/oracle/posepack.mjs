@@ -23,11 +23,12 @@ export function runPosepack(exe, args) {
 }
 
 // Bakes a catalog in RGBA32F, without measuring.
-//   options  encoding, texelOrder, and perhaps rate (Hz) and only (ids, comma-separated)
+//   options  encoding, texelOrder, and perhaps space, rate (Hz) and only (ids, comma-separated)
 export function bakeFloats(exe, catalog, models, folder, options) {
     const args = ['bake', catalog, '--models', models, '-o', folder, '--encoding', options.encoding];
     args.push('--texel-order', options.texelOrder, '--texel-format', 'rgba32f', '--caps', 'desktop');
     args.push('--no-measure', '--no-fsync');
+    if (options.space) args.push('--space', options.space);
     if (options.rate) args.push('--rate', options.rate);
     if (options.only) args.push('--only', options.only);
     runPosepack(exe, args);

@@ -22,14 +22,15 @@ void write(const fs::path& path, const Bytes& bytes) {
 
 int write_good(const fs::path& folder) {
     int written = 0;
-    for (std::uint32_t variant = 0; variant < 32 * kTinyRowCount; ++variant) {
+    for (std::uint32_t variant = 0; variant < 3 * 32 * kTinyRowCount; ++variant) {
         TinyOptions options;
-        options.encoding = variant & 1 ? POSEPACK_ENCODING_MAT4 : POSEPACK_ENCODING_AFFINE;
-        options.texel_format = variant & 2 ? POSEPACK_TEXEL_RGBA32F : POSEPACK_TEXEL_RGBA16F;
-        options.texel_order = variant & 4 ? POSEPACK_ORDER_PLANAR : POSEPACK_ORDER_BONE_MAJOR;
-        options.pad_pitch = (variant & 8) != 0;
-        options.measured = (variant & 16) != 0;
-        options.rows_per_line = variant / 32 + 1;
+        options.encoding = static_cast<std::uint8_t>(POSEPACK_ENCODING_MAT4 + variant % 3);
+        options.texel_format = variant / 3 & 1 ? POSEPACK_TEXEL_RGBA32F : POSEPACK_TEXEL_RGBA16F;
+        options.texel_order = variant / 3 & 2 ? POSEPACK_ORDER_PLANAR : POSEPACK_ORDER_BONE_MAJOR;
+        options.pad_pitch = (variant / 3 & 4) != 0;
+        options.measured = (variant / 3 & 8) != 0;
+        options.closing_row = (variant / 3 & 16) != 0 && options.encoding == POSEPACK_ENCODING_DUALQUAT;
+        options.rows_per_line = variant / 96 + 1;
         write(folder / ("variant_" + std::to_string(variant) + ".posepack"), make_container(options));
         ++written;
     }
@@ -37,9 +38,11 @@ int write_good(const fs::path& folder) {
 }
 
 // Every 61st bit flipped, and every word of header and tables set to a hostile value, all sealed again.
-int write_damaged(const fs::path& folder) {
+int write_damaged(const fs::path& folder, std::uint8_t encoding) {
+    const std::string suffix = "_" + std::to_string(encoding) + ".posepack";
     TinyOptions options;
-    options.encoding = POSEPACK_ENCODING_MAT4;
+    options.encoding = encoding;
+    options.closing_row = encoding == POSEPACK_ENCODING_DUALQUAT;
     options.texel_order = POSEPACK_ORDER_PLANAR;
     options.rows_per_line = 2;
     options.pad_pitch = true;
@@ -50,7 +53,7 @@ int write_damaged(const fs::path& folder) {
         Bytes bytes = good;
         bytes[bit / 8] ^= static_cast<std::uint8_t>(1u << (bit % 8));
         seal(bytes);
-        write(folder / ("bit_" + std::to_string(bit) + ".posepack"), bytes);
+        write(folder / ("bit_" + std::to_string(bit) + suffix), bytes);
         ++written;
     }
     for (std::size_t offset = 16; offset < tables_end; offset += 4) {
@@ -58,7 +61,7 @@ int write_damaged(const fs::path& folder) {
         Bytes bytes = good;
         put_u32(bytes, offset, kHostile[offset / 4 % 6]);
         seal(bytes);
-        write(folder / ("word_" + std::to_string(offset) + ".posepack"), bytes);
+        write(folder / ("word_" + std::to_string(offset) + suffix), bytes);
         ++written;
     }
     return written;
@@ -75,7 +78,8 @@ int main(int argument_count, char** arguments) {
     fs::create_directories(folder / "good");
     fs::create_directories(folder / "damaged");
     const int good = write_good(folder / "good");
-    const int damaged = write_damaged(folder / "damaged");
+    const int damaged = write_damaged(folder / "damaged", POSEPACK_ENCODING_MAT4) +
+                        write_damaged(folder / "damaged", POSEPACK_ENCODING_DUALQUAT);
     std::printf("wrote %d good and %d damaged containers\n", good, damaged);
     return 0;
 }

@@ -145,6 +145,9 @@ void Program::set(const char* name, const glm::vec3& value) const {
 void Program::set(const char* name, const glm::mat4& value) const {
     glUniformMatrix4fv(location(name), 1, GL_FALSE, glm::value_ptr(value));
 }
+void Program::set_rows(const char* name, const float rows[12]) const {
+    glUniformMatrix3x4fv(location(name), 1, GL_FALSE, rows);
+}
 
 void Program::set_texture(const char* name, int unit, GLuint texture) const {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));

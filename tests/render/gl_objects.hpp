@@ -72,6 +72,8 @@ class Program {
     void set(const char* name, const glm::vec2& value) const;
     void set(const char* name, const glm::vec3& value) const;
     void set(const char* name, const glm::mat4& value) const;
+    // A mat3x4 whose three columns are the rows of a 3x4 matrix.
+    void set_rows(const char* name, const float rows[12]) const;
     // Binds a texture to a unit and the sampler to that unit.
     void set_texture(const char* name, int unit, GLuint texture) const;
 

@@ -214,7 +214,7 @@ AnimalCrowd upload_crowd(const Crowd& crowd, const std::vector<std::uint8_t>& gl
     AnimalCrowd out;
     out.palette = std::make_unique<PaletteTexture>(std::move(container));
     SkinnedMesh mesh = read_skinned_mesh(glb);
-    out.palette->map_joints(mesh);
+    out.palette->enter_palette(mesh);
     std::vector<Instance> instances;
     for (const Actor& actor : crowd.actors) {
         instances.push_back(actor.instance);

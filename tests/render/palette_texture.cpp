@@ -3,37 +3,25 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
 #include "render/error.hpp"
 
 namespace posepack::render {
-namespace {
-
-constexpr std::array<float, 12> kIdentity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
-
-}  // namespace
-
 PaletteTexture::PaletteTexture(std::vector<std::uint8_t> bytes) : bytes_(std::move(bytes)) {
     const posepack_result result = posepack_open(&view_, bytes_.data(), bytes_.size());
     require(result == POSEPACK_OK,
             fmt::format("the loader refuses the container: {}", posepack_result_name(result)));
-    check_spaces();
+    read_spaces();
     upload_texels();
     upload_clips();
 }
 
-void PaletteTexture::check_spaces() const {
-    posepack_space space{};
-    posepack_mesh mesh{};
-    posepack_get_space(&view_, &space);
-    require(space.mesh_count > 0 && posepack_get_mesh(&view_, 0, &mesh) == POSEPACK_OK,
+void PaletteTexture::read_spaces() {
+    require(posepack_get_space(&view_, &space_) == POSEPACK_OK && space_.mesh_count > 0 &&
+                posepack_get_mesh(&view_, 0, &mesh_) == POSEPACK_OK,
             "expected a container with a mesh");
-    require(std::equal(kIdentity.begin(), kIdentity.end(), space.model_from_palette) &&
-                std::equal(kIdentity.begin(), kIdentity.end(), mesh.palette_from_mesh),
-            "expected a palette in model space");
 }
 
 void PaletteTexture::upload_texels() {
@@ -49,13 +37,14 @@ void PaletteTexture::upload_texels() {
     check_gl("the upload of a palette");
 }
 
-// One texel a clip: first row, row count, period, and wrap + 4 where rows are held.
+// One texel a clip: first row, row count, period, and wrap + 4 where rows are held + 8 with a closing row.
 void PaletteTexture::upload_clips() {
     std::vector<std::array<float, 4>> table;
     for (std::uint32_t index = 0; index < view_.header.clip_count; ++index) {
         const posepack_clip c = clip(index);
         require(c.cut_count == 0, "expected clips without cuts");
-        const int mode = c.wrap + (c.interpolation == POSEPACK_INTERPOLATION_STEP ? 4 : 0);
+        const int mode =
+            c.wrap + (c.interpolation == POSEPACK_INTERPOLATION_STEP ? 4 : 0) + (c.closing_row ? 8 : 0);
         table.push_back({static_cast<float>(c.first_row), static_cast<float>(c.row_count), c.period_s,
                          static_cast<float>(mode)});
     }
@@ -85,11 +74,22 @@ void PaletteTexture::bind(const Program& program) const {
                 h.texel_order == POSEPACK_ORDER_PLANAR ? 1 : static_cast<int>(h.texels_per_bone));
     program.set("texel_step", h.texel_order == POSEPACK_ORDER_PLANAR ? static_cast<int>(h.bone_count) : 1);
     program.set("row_texels", static_cast<int>(h.bone_count * h.texels_per_bone));
+    program.set("dualquat_length", h.dualquat_length);
+    program.set_rows("model_from_palette", space_.model_from_palette);
     program.set("rows_per_line", static_cast<int>(h.rows_per_line));
 }
 
-void PaletteTexture::map_joints(SkinnedMesh& mesh) const {
-    for (MeshVertex& vertex : mesh.vertices)
+void PaletteTexture::enter_palette(SkinnedMesh& mesh) const {
+    const float* m = mesh_.palette_from_mesh;
+    for (MeshVertex& vertex : mesh.vertices) {
+        const glm::vec3 p = vertex.position;
+        const glm::vec3 n = vertex.normal;
+        for (int r = 0; r < 3; ++r) {
+            const float* row = m + 4 * r;
+            vertex.position[r] = row[0] * p.x + row[1] * p.y + row[2] * p.z + row[3];
+            // model_from_palette takes the scale back: both are similarities here.
+            vertex.normal[r] = row[0] * n.x + row[1] * n.y + row[2] * n.z;
+        }
         for (float& joint : vertex.joints) {
             std::uint32_t bone = 0;
             require(
@@ -97,6 +97,7 @@ void PaletteTexture::map_joints(SkinnedMesh& mesh) const {
                 fmt::format("expected joint {} in the container: it was baked from another model", joint));
             joint = static_cast<float>(bone);
         }
+    }
 }
 
 }  // namespace posepack::render

@@ -15,8 +15,8 @@ namespace posepack::render {
 
 class PaletteTexture {
  public:
-    // Opens the container and uploads it. Throws RenderError for bytes that the loader refuses, for clips
-    // with cuts and for palettes that are not in model space: shaders/palette.glsl reads neither.
+    // Opens the container and uploads it. Throws RenderError for bytes that the loader refuses and for
+    // clips with cuts, which shaders/palette.glsl does not read.
     explicit PaletteTexture(std::vector<std::uint8_t> bytes);
 
     const posepack_view& view() const { return view_; }
@@ -26,16 +26,18 @@ class PaletteTexture {
     // Sets the uniforms of shaders/palette.glsl in the program in use; takes texture units 0 and 1.
     void bind(const Program& program) const;
 
-    // Turns the joints of the mesh into bones of this palette.
-    void map_joints(SkinnedMesh& mesh) const;
+    // Moves the mesh into palette space, and turns its joints into bones of this palette.
+    void enter_palette(SkinnedMesh& mesh) const;
 
  private:
-    void check_spaces() const;
+    void read_spaces();
     void upload_texels();
     void upload_clips();
 
     std::vector<std::uint8_t> bytes_;
     posepack_view view_{};
+    posepack_space space_{};
+    posepack_mesh mesh_{};
     Texture texels_;
     Texture clips_;
 };

@@ -64,7 +64,8 @@ double row_difference(const posepack_clip& clip, double cycles, const glm::vec3&
     const double expected = is_held ? std::floor(position) : position;
     const double row = static_cast<double>(rows.x) - clip.first_row;
     const double next = static_cast<double>(rows.y) - clip.first_row;
-    const double behind_row = row + 1.0 < count ? row + 1.0 : (is_loop ? 0.0 : row);
+    const double first_again = clip.closing_row != 0 ? count : 0.0;
+    const double behind_row = row + 1.0 < count ? row + 1.0 : (is_loop ? first_again : row);
     require(next == behind_row,
             fmt::format("expected row {} behind row {}, found {}", behind_row, row, next));
     const double difference = std::abs(row + static_cast<double>(rows.z) - expected);
@@ -75,15 +76,18 @@ struct Skinned {
     std::array<double, 3> position{}, normal{};
 };
 
-Skinned skin(const MeshVertex& vertex, const std::vector<float>& row, const std::vector<float>& next,
-             double factor) {
-    std::array<double, 12> m{};
+Skinned skin(const MeshVertex& vertex, const std::vector<float>& pose, const float* model_from_palette) {
+    std::array<double, 12> sum{};
     for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t e = 0; e < 12; ++e) {
-            const std::size_t at = static_cast<std::size_t>(vertex.joints[i]) * 12 + e;
-            const double blended =
-                (1.0 - factor) * static_cast<double>(row[at]) + factor * static_cast<double>(next[at]);
-            m[e] += static_cast<double>(vertex.weights[i]) * blended;
+        for (std::size_t e = 0; e < 12; ++e)
+            sum[e] += static_cast<double>(vertex.weights[i]) *
+                      static_cast<double>(pose[static_cast<std::size_t>(vertex.joints[i]) * 12 + e]);
+    std::array<double, 12> m{};
+    for (std::size_t r = 0; r < 3; ++r)
+        for (std::size_t c = 0; c < 4; ++c) {
+            for (std::size_t k = 0; k < 3; ++k)
+                m[r * 4 + c] += static_cast<double>(model_from_palette[r * 4 + k]) * sum[k * 4 + c];
+            if (c == 3) m[r * 4 + c] += static_cast<double>(model_from_palette[r * 4 + 3]);
         }
     Skinned out;
     for (std::size_t r = 0; r < 3; ++r) {
@@ -141,11 +145,13 @@ class TruthTable {
         return captured;
     }
 
-    std::vector<float> decode(float row) const {
+    // The loader's own blend of the rows that the shader chose.
+    std::vector<float> pose_at(const glm::vec3& rows) const {
         std::vector<float> matrices(std::size_t{palette_.view().header.bone_count} * 12);
-        require(posepack_decode_row(&palette_.view(), static_cast<std::uint32_t>(row), matrices.data()) ==
-                    POSEPACK_OK,
-                fmt::format("expected row {} in the palette", row));
+        require(
+            posepack_blend_row(&palette_.view(), static_cast<std::uint32_t>(rows.x),
+                               static_cast<std::uint32_t>(rows.y), rows.z, matrices.data()) == POSEPACK_OK,
+            fmt::format("expected rows {} and {} in the palette", rows.x, rows.y));
         return matrices;
     }
 
@@ -154,12 +160,13 @@ class TruthTable {
         const glm::vec3 rows = captured.front().rows;
         const posepack_clip facts = palette_.clip(clip);
         tally.row = std::max(tally.row, row_difference(facts, cycles, rows) / facts.row_count);
-        const std::vector<float> row = decode(rows.x);
-        const std::vector<float> next = decode(rows.y);
+        const std::vector<float> pose = pose_at(rows);
+        posepack_space space;
+        posepack_get_space(&palette_.view(), &space);
         const double radius = static_cast<double>(palette_.view().header.radius_m);
         for (std::size_t v = 0; v < captured.size(); ++v) {
             require(captured[v].rows == rows, "expected the same rows for every vertex of an instance");
-            const Skinned expected = skin(mesh_.vertices[v], row, next, static_cast<double>(rows.z));
+            const Skinned expected = skin(mesh_.vertices[v], pose, space.model_from_palette);
             // max() would pass over a NaN.
             const double position = distance(expected.position, captured[v].position) / radius;
             const double normal = distance(expected.normal, captured[v].normal);
@@ -189,15 +196,19 @@ T take(base::Result<T> result, std::string_view what) {
 
 std::vector<recipe::OutputOverrides> all_forms() {
     std::vector<recipe::OutputOverrides> forms;
-    for (const auto encoding : {recipe::Encoding::affine, recipe::Encoding::mat4})
+    for (const auto encoding : {recipe::Encoding::affine, recipe::Encoding::mat4, recipe::Encoding::dualquat})
         for (const auto format : {recipe::TexelFormat::rgba16f, recipe::TexelFormat::rgba32f})
             for (const auto order : {recipe::TexelOrder::bone_major, recipe::TexelOrder::planar}) {
                 // Both pitches occur with every value of each of the other three.
                 const bool is_tight =
                     (encoding == recipe::Encoding::mat4) != (order == recipe::TexelOrder::planar);
-                forms.push_back({encoding, format, order,
-                                 is_tight ? recipe::RowPitch::tight : recipe::RowPitch::align256,
-                                 std::nullopt});
+                forms.push_back(
+                    {encoding, format, order, is_tight ? recipe::RowPitch::tight : recipe::RowPitch::align256,
+                     std::nullopt,
+                     // mat4 in model space and the others normalised; in planar order the other way.
+                     (encoding == recipe::Encoding::mat4) == (order == recipe::TexelOrder::planar)
+                         ? recipe::Space::normalised
+                         : recipe::Space::model});
             }
     return forms;
 }
@@ -209,7 +220,7 @@ void compare_animal(const recipe::AnimalEntry& entry, const render::Program& pro
     options.measure = false;
     const render::PaletteTexture palette(take(bake::bake_animal(entry, glb, options), entry.id).container);
     render::SkinnedMesh mesh = render::read_skinned_mesh(glb);
-    palette.map_joints(mesh);
+    palette.enter_palette(mesh);
     TruthTable(palette, mesh, program).compare_all_clips(tally);
 }
 

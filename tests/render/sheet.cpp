@@ -168,7 +168,7 @@ class Painter {
 SheetAnimal read_sheet_animal(std::string id, const std::vector<std::uint8_t>& glb,
                               std::vector<std::uint8_t> container) {
     SheetAnimal out{std::move(id), PaletteTexture(std::move(container)), read_skinned_mesh(glb)};
-    out.palette.map_joints(out.mesh);
+    out.palette.enter_palette(out.mesh);
     return out;
 }
 

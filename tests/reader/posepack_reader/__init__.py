@@ -3,7 +3,7 @@
 
 It shares no line with the C loader and uses only the standard library. It checks every rule of section 14 of the
 specification and prints everything a container says. One module a room of the specification: values, framing, tables,
-clips, texels; dump prints.
+clips, texels, dualquat; dump prints.
 
     python3 tests/reader/posepack_reader FILE.posepack
 

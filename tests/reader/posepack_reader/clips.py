@@ -23,7 +23,7 @@ class Clips:
             require(clip["first_row"] == next_row and clip["row_count"] >= 1)  # C6
             texels = self.header["bone_count"] * self.header["texels_per_bone"]
             require(clip["first_texel"] == next_row * texels)  # C6
-            next_row += clip["row_count"]
+            next_row += clip["row_count"] + clip["closing_row"]
             first_cut, own_cuts = u32(data, at + 28), u32(data, at + 32)
             require(first_cut == next_cut)  # C7
             next_cut += own_cuts
@@ -40,7 +40,8 @@ class Clips:
         h = self.header
         require((r[8], r[9], r[10]) == (h["encoding"], h["texels_per_bone"], h["row_scheme"]))  # C3
         require(r[11] <= 2 and r[12] <= 1 and r[14] <= 1 and r[15] <= 1)  # C4
-        require(r[13] == 0 and is_zero(r[96:120]) and u32(r, 176) == NONE and is_zero(r[180:184]))  # C5
+        require(r[13] <= (r[8] == 3 and r[11] == 0))  # C5: dual quaternions of a loop
+        require(is_zero(r[96:120]) and u32(r, 176) == NONE and is_zero(r[180:184]))  # C5
         require(is_zero(r[188:192]))  # C5
         clip = {"name": self.string(u32(r, 0)), "source_name": self.string(u32(r, 4)),  # C2
                 "encoding": r[8], "texels_per_bone": r[9], "row_scheme": r[10], "wrap": r[11], "seam": r[12],

@@ -4,8 +4,9 @@ of their bits, names in quotes, one bone-row a line."""
 import functools
 import struct
 
+from posepack_reader.dualquat import dualquat_matrices
 from posepack_reader.framing import HEADER_FIELDS, HEADER_FLOATS
-from posepack_reader.values import NONE
+from posepack_reader.values import NONE, value
 
 
 def hex_bits(bits):
@@ -52,8 +53,25 @@ def widened_halves():
     return [None if number is None else struct.pack(">f", number).hex() for number in halves]
 
 
+def dump_dualquat_rows(container):
+    """Every bone-row as the twelve floats of its matrix."""
+    letter = "e" if container.texel_bytes == 8 else "f"
+    bones = range(container.header["bone_count"])
+    length = value(container.header["dualquat_length"])
+    places = [container.places(bone) for bone in bones]
+    for row in range(container.header["row_count"]):
+        block = container.place_bytes(row)
+        numbers = struct.unpack(f"<{4 * len(block) // container.texel_bytes}{letter}", block)
+        real, dual = ([[numbers[4 * places[bone][k] + c] for bone in bones] for c in range(4)] for k in range(2))
+        for bone, matrix in enumerate(zip(*dualquat_matrices(real, dual, length))):
+            yield f"row {row} bone {bone} {struct.pack('>12f', *matrix).hex(' ', 4)}"
+
+
 def dump_rows(container):
     """Every bone-row as twelve floats."""
+    if container.header["encoding"] == 3:
+        yield from dump_dualquat_rows(container)
+        return
     widened = widened_halves().__getitem__ if container.texel_bytes == 8 else hex_bits
     components = list(container.components())
     for row in range(container.header["row_count"]):

@@ -38,7 +38,7 @@ class Framing:
         data = self.data
         require(len(data) >= 128, "TOO_SMALL")  # F1
         require(data[0:8] == MAGIC, "MAGIC")  # F2
-        require((u16(data, 8), u16(data, 10), u32(data, 12)) == (1, 1, 128), "VERSION")  # F3
+        require((u16(data, 8), u16(data, 10), u32(data, 12)) == (1, 2, 128), "VERSION")  # F3
         require(u32(data, 124) == crc32c(data[0:124]), "HEADER_CRC")  # F4
         self.header = {name: read(data, offset) for name, offset, read in HEADER_FIELDS}
         h = self.header

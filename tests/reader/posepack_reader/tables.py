@@ -9,15 +9,16 @@ class Tables:
 
     def check_header_values(self):
         h = self.header
-        known = ((h["encoding"], (1, 2), (3, 4, 5, 255)), (h["texel_format"], (1, 2), (3, 4)),
+        known = ((h["encoding"], (1, 2, 3), (4, 5, 255)), (h["texel_format"], (1, 2), (3, 4)),
                  (h["texel_order"], (0, 1), (2,)), (h["row_scheme"], (0,), (1, 2, 255)))
         require(all(number in now + later for number, now, later in known))  # H1 to H4
         require(h["space_flags"] <= 1)  # H6
         require(is_zero(self.data[58:60]))  # H7
         require(is_positive(h["radius_m"]))  # H8
         require(all(number in now for number, now, later in known), "UNSUPPORTED")
-        require(h["texels_per_bone"] == {1: 4, 2: 3}[h["encoding"]])  # H5
-        require(h["dualquat_length"] == 0)  # H9
+        require(h["texels_per_bone"] == {1: 4, 2: 3, 3: 2}[h["encoding"]])  # H5
+        length = h["dualquat_length"]
+        require(is_positive(length) if h["encoding"] == 3 else length == 0)  # H9
 
     def read_strings(self):
         data = self.bytes_of["STRS"]

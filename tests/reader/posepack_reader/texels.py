@@ -6,7 +6,7 @@ from posepack_reader.values import is_zero, require
 
 
 class Texels:
-    """Reads PIXL. Needs what Framing has read."""
+    """Reads PIXL. Needs what Framing and Clips have read."""
 
     def check_texels(self):
         h = self.header
@@ -30,6 +30,9 @@ class Texels:
                 if row >= rows:
                     require(self.place_bytes(row) == self.place_bytes(rows - 1))  # X3
             require(is_zero(self.pixels[start + tight:start + h["row_pitch"]]), "PADDING")  # X4
+        for clip in self.clips:
+            if clip["closing_row"]:
+                self.check_closing_row(clip)  # X7
 
     def place_bytes(self, row):
         """The bytes of the block of a row, or of a place behind the last row."""
@@ -51,6 +54,21 @@ class Texels:
             for bone in range(self.header["bone_count"]):
                 places = self.places(bone)
                 require([bits[4 * place + 3] for place in places] == [0, 0, 0, one])  # X2
+
+        if self.header["encoding"] == 3:
+            half = self.texel_bytes == 8
+            sign, quarter, two = (0x8000, 0x3400, 0x4000) if half else (0x80000000, 0x3E800000, 0x40000000)
+            for bone in range(self.header["bone_count"]):
+                place = 4 * self.places(bone)[0]
+                require(quarter <= max(b & ~sign for b in bits[place:place + 4]) <= two)  # X6
+
+    def check_closing_row(self, clip):
+        """A closing row has the bits of row 0, of some bones with all eight signs turned."""
+        sign = 0x8000 if self.texel_bytes == 8 else 0x80000000
+        first, closing = (self.row_bits(row) for row in (clip["first_row"], clip["first_row"] + clip["row_count"]))
+        for bone in range(self.header["bone_count"]):
+            turns = {first[4 * place + c] ^ closing[4 * place + c] for place in self.places(bone) for c in range(4)}
+            require(turns in ({0}, {sign}))
 
     def places(self, bone):
         """Places of the texels of a bone in the block of its row."""

@@ -151,6 +151,7 @@ TEST(BakeAnimal, VramOfEveryForm) {
     EXPECT_EQ(record.vram.mat4_rgba16f, rows * 3 * 32);
     EXPECT_EQ(record.vram.affine_rgba32f, rows * 3 * 48);
     EXPECT_EQ(record.vram.affine_rgba16f, rows * 3 * 24);
+    EXPECT_EQ(record.vram.dualquat_rgba16f, rows * 3 * 16);
     EXPECT_EQ(record.vram.vat_position_rgb32f, rows * 12 * 12);
     EXPECT_EQ(record.vram.vat_rgba32f, rows * 12 * 32);
     EXPECT_EQ(record.vram.vat_rgba16f, rows * 12 * 16);

@@ -19,6 +19,7 @@ recipe::AnimalEntry entry_in(recipe::TexelFormat format = recipe::TexelFormat::r
     entry.id = "limit";
     entry.model = "limit.glb";
     entry.output.texel_format = format;
+    entry.output.space = recipe::Space::model;  // limits in the numbers of the model
     entry.canonical_json = "{}";
     return entry;
 }

@@ -33,7 +33,7 @@ TEST(Texels, SizesOfFormatsAndEncodings) {
     EXPECT_EQ(posepack_encoding_texels(POSEPACK_ENCODING_AFFINE), 3u);
     EXPECT_EQ(posepack_encoding_texels(POSEPACK_ENCODING_LOCAL), 2u);
     EXPECT_EQ(posepack_encoding_texels(POSEPACK_ENCODING_PACKED), 1u);
-    EXPECT_EQ(posepack_encoding_texels(POSEPACK_ENCODING_DUALQUAT), 0u);  // two sizes
+    EXPECT_EQ(posepack_encoding_texels(POSEPACK_ENCODING_DUALQUAT), 2u);
     EXPECT_EQ(posepack_encoding_texels(POSEPACK_MIXED), 0u);
 }
 

@@ -40,6 +40,7 @@ void append_translation(Bytes& bytes, float x, float y, float z) {
 }
 
 std::uint32_t texels_per_bone(const TinyOptions& options) {
+    if (options.encoding == POSEPACK_ENCODING_DUALQUAT) return 2;
     return options.encoding == POSEPACK_ENCODING_MAT4 ? 4 : 3;
 }
 
@@ -80,6 +81,8 @@ Bytes make_header(const TinyOptions& options) {
     put_u32(header, POSEPACK_HDR_ROW_PITCH, row_pitch(options));
     put_u32(header, POSEPACK_HDR_ROWS_PER_LINE, options.rows_per_line);
     put_f32(header, POSEPACK_HDR_RADIUS_M, 0.75f);
+    if (options.encoding == POSEPACK_ENCODING_DUALQUAT)
+        put_f32(header, POSEPACK_HDR_DUALQUAT_LENGTH, kTinyDualquatLength);
     put_u32(header, POSEPACK_HDR_BAKE_ABI, POSEPACK_BAKE_ABI);
     for (std::size_t i = 0; i < 32; ++i) {
         header[POSEPACK_HDR_RECIPE_SHA256 + i] = static_cast<std::uint8_t>(7 * i + 1);
@@ -128,7 +131,8 @@ Bytes make_clip(const TinyOptions& options, const char* name, const char* source
 
 Bytes make_clips(const TinyOptions& options) {
     Bytes idle = make_clip(options, "idle", "Rig|Idle", 0, 1);
-    Bytes walk = make_clip(options, "walk", "Armature|Walk", 1, 4);
+    Bytes walk = make_clip(options, "walk", "Armature|Walk", 1, options.closing_row ? 3 : 4);
+    walk[POSEPACK_CLIP_CLOSING_ROW] = options.closing_row ? 1 : 0;
     put_u32(walk, POSEPACK_CLIP_CUT_COUNT, 1);
     Bytes section;
     for (std::uint32_t value : {2u, POSEPACK_CLIP_RECORD_BYTES, 1u, 0u}) append_u32(section, value);
@@ -180,6 +184,11 @@ Bytes make_space() {
 // Component c of texel k of a bone: column k of a mat4, row k of an affine.
 float texel_component(const TinyOptions& options, std::uint32_t row, std::uint32_t bone, std::uint32_t k,
                       std::uint32_t c) {
+    if (options.encoding == POSEPACK_ENCODING_DUALQUAT) {
+        const bool closes = options.closing_row && row + 1 == kTinyRowCount;
+        const float number = tiny_dualquat(closes ? 1 : row, bone, 4 * k + c);
+        return closes && bone == 1 ? -number : number;
+    }
     if (options.encoding == POSEPACK_ENCODING_AFFINE) return tiny_element(row, bone, 4 * k + c);
     if (c == 3) return k == 3 ? 1.f : 0.f;
     return tiny_element(row, bone, 4 * c + k);
@@ -231,6 +240,14 @@ const std::vector<std::string>& tiny_strings() {
 
 float tiny_element(std::uint32_t row, std::uint32_t bone, std::uint32_t element) {
     return static_cast<float>((row * kTinyBoneCount + bone) * 12 + element) / 64.f - 1.f;
+}
+
+float tiny_dualquat(std::uint32_t row, std::uint32_t bone, std::uint32_t number) {
+    const auto r = static_cast<float>(row);
+    const auto b = static_cast<float>(bone);
+    const std::array<float, 8> numbers = {0.25f * b,        -0.5f, 0.125f * r - 0.25f, 0.75f,
+                                          0.5f - 0.25f * b, 0.0f,  1.5f + 0.25f * r,   -0.125f * r};
+    return numbers.at(number);
 }
 
 Bytes string_section(const std::vector<std::string>& strings) {

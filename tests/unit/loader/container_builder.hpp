@@ -23,8 +23,9 @@ struct TinyOptions {
     std::uint8_t texel_format = POSEPACK_TEXEL_RGBA16F;
     std::uint8_t texel_order = POSEPACK_ORDER_BONE_MAJOR;
     std::uint32_t rows_per_line = 1;
-    bool pad_pitch = false;  // round the pitch up to 256 bytes
-    bool measured = true;    // clips carry measured errors
+    bool pad_pitch = false;    // round the pitch up to 256 bytes
+    bool measured = true;      // clips carry measured errors
+    bool closing_row = false;  // dualquat alone: the last of walk's four rows closes it, bone 1 turned
 };
 
 /// One section before it has a place. `raw_bytes` 0 means: as many as are stored.
@@ -57,6 +58,11 @@ Parts make_parts(const TinyOptions& options = {});
 
 /// Element `element` (0..11, row-major 3x4) of the matrix of a bone in a row; exact as a half.
 float tiny_element(std::uint32_t row, std::uint32_t bone, std::uint32_t element);
+
+/// Number `number` (0..7: real part, dual part) of a bone of a dualquat in a row; exact as a half. No unit
+/// length.
+float tiny_dualquat(std::uint32_t row, std::uint32_t bone, std::uint32_t number);
+inline constexpr float kTinyDualquatLength = 2.0f;
 
 /// Lays the sections out by the law of no holes, writes the table and seals.
 Bytes assemble(const Parts& parts);

@@ -9,7 +9,7 @@ TEST(Rules, HeaderValues) {
     run({
         {"H1", "encoding 0", header_u8(POSEPACK_HDR_ENCODING, 0)},
         {"H1", "encoding 6", header_u8(POSEPACK_HDR_ENCODING, 6)},
-        {"H1", "dualquat", header_u8(POSEPACK_HDR_ENCODING, 3), POSEPACK_ERROR_UNSUPPORTED},
+        {"H1", "local", header_u8(POSEPACK_HDR_ENCODING, 4), POSEPACK_ERROR_UNSUPPORTED},
         {"H1", "packed", header_u8(POSEPACK_HDR_ENCODING, 5), POSEPACK_ERROR_UNSUPPORTED},
         {"H1", "mixed", header_u8(POSEPACK_HDR_ENCODING, 255), POSEPACK_ERROR_UNSUPPORTED},
         {"H2", "format 0", header_u8(POSEPACK_HDR_TEXEL_FORMAT, 0)},

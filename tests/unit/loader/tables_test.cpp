@@ -2,9 +2,12 @@
 // Accessors and decoding: right values for right indices, the right result for wrong ones.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "container_builder.hpp"
 #include "posepack/loader.h"
@@ -297,6 +300,114 @@ TEST(Results, NamesAreDistinctAndKnown) {
     EXPECT_EQ(names.size(), 20u);
     EXPECT_STREQ(posepack_result_name(POSEPACK_ERROR_HEADER_CRC), "HEADER_CRC");
     EXPECT_STREQ(posepack_result_name(12345), "UNKNOWN");
+}
+
+// The formula of the specification, section 10, in double precision.
+std::array<double, 12> dualquat_matrix(std::array<double, 4> q, std::array<double, 4> d, double scale) {
+    const auto [x, y, z, w] = q;
+    const double h = 2 / (x * x + y * y + z * z + w * w);
+    return {scale * (1 - h * (y * y + z * z)), scale * h * (x * y - w * z),
+            scale * h * (x * z + w * y),       h * (w * d[0] - d[3] * x + y * d[2] - z * d[1]),
+            scale * h * (x * y + w * z),       scale * (1 - h * (x * x + z * z)),
+            scale * h * (y * z - w * x),       h * (w * d[1] - d[3] * y + z * d[0] - x * d[2]),
+            scale * h * (x * z - w * y),       scale * h * (y * z + w * x),
+            scale * (1 - h * (x * x + y * y)), h * (w * d[2] - d[3] * z + x * d[1] - y * d[0])};
+}
+
+std::array<double, 12> expected_blend(std::uint32_t row0, std::uint32_t row1, double factor,
+                                      std::uint32_t bone) {
+    std::array<double, 4> q{}, d{};
+    double scale = 0;
+    for (const auto& [row, share] : {std::pair{row0, 1 - factor}, std::pair{row1, factor}}) {
+        double square = 0, along = 0;
+        for (std::uint32_t c = 0; c < 4; ++c) {
+            const double real = tiny_dualquat(row, bone, c);
+            square += real * real;
+            along += real * tiny_dualquat(row, bone, 4 + c);
+        }
+        const double e = along / square;
+        for (std::uint32_t c = 0; c < 4; ++c) {
+            const double real = tiny_dualquat(row, bone, c);
+            q[c] += share * real;
+            d[c] += share * (tiny_dualquat(row, bone, 4 + c) - e * real);
+        }
+        scale += share * (1 + 2 * e / kTinyDualquatLength);
+    }
+    return dualquat_matrix(q, d, scale);
+}
+
+TEST(DualQuaternions, DecodeAndBlendAsSpecified) {
+    for (const std::uint32_t format : {POSEPACK_TEXEL_RGBA16F, POSEPACK_TEXEL_RGBA32F})
+        for (const std::uint32_t order : {POSEPACK_ORDER_BONE_MAJOR, POSEPACK_ORDER_PLANAR}) {
+            TinyOptions options;
+            options.encoding = POSEPACK_ENCODING_DUALQUAT;
+            options.texel_format = static_cast<std::uint8_t>(format);
+            options.texel_order = static_cast<std::uint8_t>(order);
+            options.rows_per_line = 2;
+            const Bytes bytes = make_container(options);
+            posepack_view view;
+            ASSERT_EQ(posepack_open(&view, bytes.data(), bytes.size()), POSEPACK_OK);
+            std::array<float, 12 * kTinyBoneCount> row{};
+            for (const float factor : {0.0f, 0.25f, 1.0f}) {
+                ASSERT_EQ(posepack_blend_row(&view, 1, 3, factor, row.data()), POSEPACK_OK);
+                for (std::uint32_t bone = 0; bone < kTinyBoneCount; ++bone) {
+                    std::array<float, 12> one{};
+                    ASSERT_EQ(posepack_blend_bone(&view, 1, 3, factor, bone, one.data()), POSEPACK_OK);
+                    const auto expected = expected_blend(1, 3, factor, bone);
+                    for (std::size_t e = 0; e < 12; ++e) {
+                        EXPECT_NEAR(one[e], expected[e], 2e-6) << factor << " " << bone << " " << e;
+                        EXPECT_EQ(one[e], row[bone * 12 + e]);
+                    }
+                }
+            }
+            std::array<float, 12> decoded{}, blended{};
+            ASSERT_EQ(posepack_decode_bone(&view, 2, 1, decoded.data()), POSEPACK_OK);
+            ASSERT_EQ(posepack_blend_bone(&view, 2, 4, 0.0f, 1, blended.data()), POSEPACK_OK);
+            EXPECT_EQ(decoded, blended);
+        }
+}
+
+TEST(DualQuaternions, AClosingRowIsRowZeroToTheEye) {
+    TinyOptions options;
+    options.encoding = POSEPACK_ENCODING_DUALQUAT;
+    options.closing_row = true;
+    const Bytes bytes = make_container(options);
+    posepack_view view;
+    posepack_clip clip;
+    ASSERT_EQ(posepack_open(&view, bytes.data(), bytes.size()), POSEPACK_OK);
+    ASSERT_EQ(posepack_get_clip(&view, 1, &clip), POSEPACK_OK);
+    EXPECT_EQ(clip.closing_row, 1);
+    EXPECT_EQ(clip.row_count, 3u);
+    std::array<float, 12 * kTinyBoneCount> first{}, closing{}, between{};
+    ASSERT_EQ(posepack_decode_row(&view, clip.first_row, first.data()), POSEPACK_OK);
+    ASSERT_EQ(posepack_decode_row(&view, clip.first_row + 3, closing.data()), POSEPACK_OK);
+    EXPECT_EQ(first, closing) << "q and -q are one rotation, to the bit";
+    // Opposite real parts meet at zero: no pose, but numbers.
+    ASSERT_EQ(posepack_blend_row(&view, clip.first_row, clip.first_row + 3, 0.5f, between.data()),
+              POSEPACK_OK);
+    for (const float value : between) EXPECT_TRUE(std::isfinite(value));
+}
+
+TEST_F(Tables, BlendsMatricesEntryByEntry) {
+    std::array<float, 12> matrix{};
+    ASSERT_EQ(posepack_blend_bone(&view_, 1, 2, 0.25f, 2, matrix.data()), POSEPACK_OK);
+    for (std::uint32_t e = 0; e < 12; ++e)
+        EXPECT_EQ(matrix[e], 0.75f * tiny_element(1, 2, e) + 0.25f * tiny_element(2, 2, e));
+}
+
+TEST_F(Tables, BlendRefusesWhatIsNotThere) {
+    std::array<float, 12 * kTinyBoneCount> out{};
+    EXPECT_EQ(posepack_blend_bone(nullptr, 0, 0, 0, 0, out.data()), POSEPACK_ERROR_ARG);
+    EXPECT_EQ(posepack_blend_bone(&empty_, 0, 0, 0, 0, out.data()), POSEPACK_ERROR_ARG);
+    EXPECT_EQ(posepack_blend_bone(&view_, 0, 0, 0, 0, nullptr), POSEPACK_ERROR_ARG);
+    EXPECT_EQ(posepack_blend_bone(&view_, kTinyRowCount, 0, 0, 0, out.data()), POSEPACK_ERROR_INDEX);
+    EXPECT_EQ(posepack_blend_bone(&view_, 0, kTinyRowCount, 0, 0, out.data()), POSEPACK_ERROR_INDEX);
+    EXPECT_EQ(posepack_blend_bone(&view_, 0, 0, 0, kTinyBoneCount, out.data()), POSEPACK_ERROR_INDEX);
+    EXPECT_EQ(posepack_blend_row(nullptr, 0, 0, 0, out.data()), POSEPACK_ERROR_ARG);
+    EXPECT_EQ(posepack_blend_row(&empty_, 0, 0, 0, out.data()), POSEPACK_ERROR_ARG);
+    EXPECT_EQ(posepack_blend_row(&view_, 0, 0, 0, nullptr), POSEPACK_ERROR_ARG);
+    EXPECT_EQ(posepack_blend_row(&view_, kTinyRowCount, 0, 0, out.data()), POSEPACK_ERROR_INDEX);
+    EXPECT_EQ(posepack_blend_row(&view_, 0, kTinyRowCount, 0, out.data()), POSEPACK_ERROR_INDEX);
 }
 
 }  // namespace

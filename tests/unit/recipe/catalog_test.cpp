@@ -144,11 +144,12 @@ TEST(CanonicalJson, LeavesOutIdAndPath) {
     const AnimalEntry moved = read(R"({"schema":1,"animals":{"elk":{"model":"a/b.glb"}}})").animals[0];
     EXPECT_EQ(deer.canonical_json, moved.canonical_json);
     EXPECT_EQ(base::check_json(deer.canonical_json).fault, base::JsonFault::none);
-    EXPECT_EQ(deer.canonical_json,
-              R"({"clips":[],"default_state":"","forward":"+z","keywords":{"attack":["attack","bite"],)"
-              R"("flee":["run","gallop"],"idle":["idle"],"wander":["walk"]},"metres_per_unit":1.0,)"
-              R"("output":{"caps":"webgl2","encoding":"affine","row_pitch":"tight","texel_format":"rgba16f",)"
-              R"("texel_order":"bone-major"},"rate_hz":"keys"})");
+    EXPECT_EQ(
+        deer.canonical_json,
+        R"({"clips":[],"default_state":"","forward":"+z","keywords":{"attack":["attack","bite"],)"
+        R"("flee":["run","gallop"],"idle":["idle"],"wander":["walk"]},"metres_per_unit":1.0,)"
+        R"("output":{"caps":"webgl2","encoding":"affine","row_pitch":"tight","space":"normalised","texel_format":"rgba16f",)"
+        R"("texel_order":"bone-major"},"rate_hz":"keys"})");
 }
 
 TEST(CanonicalJson, DependsOnWhatIsBakedAndNotOnHowItIsWritten) {

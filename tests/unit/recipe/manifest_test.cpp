@@ -54,6 +54,7 @@ TEST(ReadManifest, GivesBackEveryField) {
     EXPECT_EQ(deer.clips[0].rate_hz, 23.976f);
     EXPECT_TRUE(deer.clips[0].error.measured);
     EXPECT_FALSE(deer.clips[1].error.measured);
+    EXPECT_EQ(deer.vram.dualquat_rgba16f, 8u);
     EXPECT_EQ(deer.vram.vat_rgba16f, 7u);
     EXPECT_FALSE(manifest.value().records[1].has_vram);
     EXPECT_EQ(deer.remarks, expected.records[0].remarks);

@@ -76,7 +76,7 @@ inline Manifest sample_manifest() {
     deer.default_state = "idle";
     deer.error = sample_error("Walk");
     deer.has_vram = true;
-    deer.vram = {1, 2, 3, 4, 5, 6, 7};
+    deer.vram = {1, 2, 3, 4, 8, 5, 6, 7};
     deer.remarks = {"warning[W-CLIP-RATE]: Walk: baked at 30 Hz"};
     return {3,
             "0.1.0",

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: MIT
+"""The matrices of dual quaternions (section 10), in single precision, step by step."""
+import struct
+
+
+def rounded(numbers):
+    """Numbers rounded to single precision, each as a step of the arithmetic of section 10 leaves it."""
+    return struct.unpack(f"<{len(numbers)}f", struct.pack(f"<{len(numbers)}f", *numbers))
+
+
+def f32_sum(*terms):
+    """The sums of lists, from left to right, rounded at each step."""
+    total = terms[0]
+    for term in terms[1:]:
+        total = rounded([a + b for a, b in zip(total, term)])
+    return total
+
+
+def f32_product(a, b):
+    return rounded([x * y for x, y in zip(a, b)])
+
+
+def f32_difference(a, b):
+    return rounded([x - y for x, y in zip(a, b)])
+
+
+def f32_quotient(a, b):
+    return rounded([x / y for x, y in zip(a, b)])
+
+
+def f32_dot(a, b):
+    return f32_sum(*(f32_product(x, y) for x, y in zip(a, b)))
+
+
+def dualquat_matrices(real, dual, length):
+    """Section 10 for all bones of a row at once: `real` and `dual` are four lists each, a number a bone."""
+    one, two = [1.0] * len(real[0]), [2.0] * len(real[0])
+    square = f32_dot(real, real)
+    along = f32_quotient(f32_dot(real, dual), square)
+    scale = f32_sum(one, f32_quotient(f32_product(two, along), [length] * len(one)))
+    x, y, z, w = real
+    dx, dy, dz, dw = (f32_difference(d, f32_product(along, r)) for r, d in zip(real, dual))
+    h = f32_quotient(two, square)
+
+    def diagonal(a, b):
+        return f32_product(scale, f32_difference(one, f32_product(h, f32_sum(f32_product(a, a), f32_product(b, b)))))
+
+    def beside(a, b, c, combine):
+        return f32_product(scale, f32_product(h, combine(f32_product(a, b), f32_product(w, c))))
+
+    def moved(d, a, cross_a, cross_b):
+        turned = f32_difference(f32_product(w, d), f32_product(dw, a))
+        return f32_product(h, f32_sum(turned, f32_difference(f32_product(*cross_a), f32_product(*cross_b))))
+
+    return [diagonal(y, z), beside(x, y, z, f32_difference), beside(x, z, y, f32_sum), moved(dx, x, (y, dz), (z, dy)),
+            beside(x, y, z, f32_sum), diagonal(x, z), beside(y, z, x, f32_difference), moved(dy, y, (z, dx), (x, dz)),
+            beside(x, z, y, f32_difference), beside(y, z, x, f32_sum), diagonal(x, y), moved(dz, z, (x, dy), (y, dx))]
