@@ -55,7 +55,8 @@ double rest_radius(const Animal& animal, const motion::SkinSet& points) {
 
 Issue too_many_rows(const std::string& clip, std::uint64_t rows) {
     return {IssueCode::lim_rows, clip,
-            fmt::format("expected at most {} rows, the clips so far need {}", POSEPACK_MAX_ROWS, rows)};
+            fmt::format("expected at most {} rows, found {} in the clips up to this one", POSEPACK_MAX_ROWS,
+                        rows)};
 }
 
 base::Status plan_clips(const Animal& animal, const std::vector<ClipChoice>& choices,
@@ -95,7 +96,7 @@ base::Status fit_dualquats(const Animal& animal, std::span<const palette::BoneMo
         if (const auto& unfit = fit.unfit)
             return Issue{
                 IssueCode::lim_similarity, animal.clips[clip.source].name,
-                fmt::format("expected bone '{}' to turn and scale evenly, it stretches by {:.4g} to 1 "
+                fmt::format("expected bone '{}' to turn and scale evenly, found a stretch of {:.4g} to 1 "
                             "at row {} ({:.4g} s)",
                             animal.bones[unfit->bone].name, unfit->ratio, unfit->row,
                             clip.plan.row_time_s(unfit->row))};

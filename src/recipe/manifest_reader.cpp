@@ -207,14 +207,16 @@ void check_choice(const Value& options, std::string_view key) {
 
 // What the command line set: only what it set is there.
 void check_options(const Value& options) {
-    options.expect_object({"caps", "compare_vat", "encoding", "measure", "only", "rate_hz", "row_pitch",
-                           "strict", "texel_format", "texel_order"});
+    options.expect_object({"allow_data_uris", "caps", "compare_vat", "encoding", "measure", "only", "rate_hz",
+                           "row_pitch", "space", "strict", "texel_format", "texel_order"});
     check_choice<Caps>(options, "caps");
     check_choice<Encoding>(options, "encoding");
     check_choice<RowPitch>(options, "row_pitch");
+    check_choice<Space>(options, "space");
     check_choice<TexelFormat>(options, "texel_format");
     check_choice<TexelOrder>(options, "texel_order");
-    for (const std::string_view flag : {"compare_vat", "measure", "strict"}) check_flag(options, flag);
+    for (const std::string_view flag : {"allow_data_uris", "compare_vat", "measure", "strict"})
+        check_flag(options, flag);
     if (const std::optional<Value> rate = options.find("rate_hz"))
         static_cast<void>(rate->number(1.0, 1000.0));
     if (const std::optional<Value> only = options.find("only"))
