@@ -158,7 +158,9 @@ base::Status AccessorReader::read_sparse(const Source& source, T* out) {
         return refuse(fmt::format("expected 1 to {} values, found {}", source.shape.count, sparse.count));
     const auto index_type = static_cast<int>(std::min<std::uint64_t>(sparse.index_component, 0xFFFF));
     if (index_type != kUnsignedByte && index_type != kUnsignedShort && index_type != kUnsignedInt)
-        return refuse(fmt::format("component type {} is no index", sparse.index_component));
+        return refuse(
+            fmt::format("expected indices of UNSIGNED_BYTE, UNSIGNED_SHORT or UNSIGNED_INT, found {}",
+                        component_name(index_type)));
     const std::size_t count = sparse.count;
     // Both streams are tightly packed whatever their views say (glTF 2.0 section 3.6.2.3).
     const auto indices =
@@ -172,8 +174,8 @@ base::Status AccessorReader::read_sparse(const Source& source, T* out) {
         std::uint32_t target = 0;
         indices.value().copy_element(i, &target);
         if (target < next || target >= source.shape.count)
-            return refuse(
-                fmt::format("index {} is {}, expected {} to {}", i, target, next, source.shape.count - 1));
+            return refuse(fmt::format("expected index {} from {} to {}, found {}", i, next,
+                                      source.shape.count - 1, target));
         source.copy_one(values.value(), i, out + target * source.shape.components);
         next = std::size_t{target} + 1;
     }
@@ -196,7 +198,8 @@ base::Result<std::size_t> AccessorReader::append_floats(int index, const Accesso
     if (bad == size) return size;
     return in_accessor(use, index,
                        {IssueCode::glb_number, "",
-                        fmt::format("element {} is {}", bad / source.shape.components, out[first + bad])});
+                        fmt::format("expected finite numbers, found element {} with {}",
+                                    bad / source.shape.components, out[first + bad])});
 }
 
 base::Result<std::vector<float>> AccessorReader::read_floats(int index, const AccessorUse& use) {

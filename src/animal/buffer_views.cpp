@@ -70,10 +70,10 @@ base::Result<ByteSpan> BufferViews::buffer(std::uint64_t index) {
             if (!decoded) return base::at(fmt::format("buffers/{}", index), decoded.issue());
             bytes = data_uris_.emplace(index, std::move(decoded).value()).first->second;
         }
-    } else if (index > 0 || bytes.empty()) {
-        return Issue{IssueCode::glb_uri, "",
-                     fmt::format("expected the BIN chunk or a uri for buffer {}, found {}", index,
-                                 index > 0 ? "neither (only buffer 0 is the BIN chunk)" : "no BIN chunk")};
+    } else if (index > 0) {
+        return Issue{
+            IssueCode::glb_uri, "",
+            fmt::format("expected a uri for buffer {}, found none (only buffer 0 is the BIN chunk)", index)};
     }
     if (facts.byte_length > static_cast<double>(bytes.size()))
         return Issue{IssueCode::glb_view_range, "",

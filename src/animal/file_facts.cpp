@@ -19,24 +19,26 @@ const T* at_or_null(const std::vector<T>& list, int index) {
                : nullptr;
 }
 
-std::uint64_t triangles_of(const tinygltf::Model& model, const tinygltf::Primitive& primitive) {
+// `indices` is the accessor of the primitive's indices, or -1.
+std::uint64_t triangles_of(const GltfFacts& gltf, const tinygltf::Primitive& primitive, int indices) {
     if (primitive.mode != TINYGLTF_MODE_TRIANGLES && primitive.mode != -1) return 0;
     const auto position = primitive.attributes.find("POSITION");
-    const int source = primitive.indices >= 0                   ? primitive.indices
+    const int source = indices >= 0                             ? indices
                        : position != primitive.attributes.end() ? position->second
                                                                 : -1;
-    const tinygltf::Accessor* accessor = at_or_null(model.accessors, source);
+    const AccessorFacts* accessor = at_or_null(gltf.accessors, source);
     return accessor == nullptr ? 0 : accessor->count / 3;
 }
 
-void count_primitive(const tinygltf::Model& model, const tinygltf::Primitive& primitive, FileFacts& facts) {
+void count_primitive(const GltfFacts& gltf, const tinygltf::Primitive& primitive, int indices,
+                     FileFacts& facts) {
     ++facts.primitive_count;
-    facts.triangle_count += triangles_of(model, primitive);
+    facts.triangle_count += triangles_of(gltf, primitive, indices);
     facts.compressed_primitive_count += count_of(primitive.extensions.count("KHR_draco_mesh_compression"));
     const auto position = primitive.attributes.find("POSITION");
-    const tinygltf::Accessor* accessor =
-        position == primitive.attributes.end() ? nullptr : at_or_null(model.accessors, position->second);
-    if (accessor != nullptr && accessor->componentType != TINYGLTF_COMPONENT_TYPE_FLOAT)
+    const AccessorFacts* accessor =
+        position == primitive.attributes.end() ? nullptr : at_or_null(gltf.accessors, position->second);
+    if (accessor != nullptr && accessor->component != TINYGLTF_COMPONENT_TYPE_FLOAT)
         ++facts.quantised_primitive_count;
     std::uint32_t sets = 0;
     while (primitive.attributes.contains("JOINTS_" + std::to_string(sets))) ++sets;
@@ -44,11 +46,14 @@ void count_primitive(const tinygltf::Model& model, const tinygltf::Primitive& pr
     facts.morph_target_count += count_of(primitive.targets.size());
 }
 
-void count_meshes(const tinygltf::Model& model, FileFacts& facts) {
-    facts.mesh_count = count_of(model.meshes.size());
-    for (const tinygltf::Mesh& mesh : model.meshes) {
+void count_meshes(const LoadedGltf& gltf, FileFacts& facts) {
+    const std::vector<tinygltf::Mesh>& meshes = gltf.model->meshes;
+    facts.mesh_count = count_of(meshes.size());
+    for (std::size_t m = 0; m < meshes.size(); ++m) {
+        const tinygltf::Mesh& mesh = meshes[m];
         const std::uint32_t targets_before = facts.morph_target_count;
-        for (const tinygltf::Primitive& primitive : mesh.primitives) count_primitive(model, primitive, facts);
+        for (std::size_t p = 0; p < mesh.primitives.size(); ++p)
+            count_primitive(gltf.facts, mesh.primitives[p], gltf.facts.indices_of(m, p), facts);
         if (facts.morph_target_count > targets_before) facts.morphed_meshes.push_back(mesh.name);
     }
 }
@@ -102,12 +107,11 @@ base::Result<FileFacts> read_file_facts(std::span<const std::uint8_t> bytes) {
     facts.extensions_used = model.extensionsUsed;
     facts.extensions_required = model.extensionsRequired;
     facts.scene_count = count_of(model.scenes.size());
-    facts.image_count = count_of(model.images.size());
-    for (const tinygltf::Image& image : model.images)
-        if (!image.uri.empty() && !image.uri.starts_with("data:")) ++facts.outside_image_count;
-    for (const tinygltf::Accessor& accessor : model.accessors)
-        if (accessor.sparse.isSparse) ++facts.sparse_accessor_count;
-    count_meshes(model, facts);
+    facts.image_count = gltf.value().facts.image_count;
+    facts.outside_image_count = gltf.value().facts.outside_image_count;
+    for (const AccessorFacts& accessor : gltf.value().facts.accessors)
+        if (accessor.sparse) ++facts.sparse_accessor_count;
+    count_meshes(gltf.value(), facts);
     count_nodes(model, facts);
     count_channels(model, facts);
     return facts;

@@ -111,7 +111,7 @@ class FactVisitor final : public base::JsonVisitor {
         rules.key(name, depth_);
         if (depth_ == 1) {
             open_section(name);
-        } else if (is_storage()) {
+        } else if (keeps_storage()) {
             storage_.key(depth_, name);
         } else if (section_ != Section::other && depth_ < keys_.size()) {
             keys_[depth_] = key_of(name);
@@ -122,8 +122,10 @@ class FactVisitor final : public base::JsonVisitor {
 
     void text(std::string_view value) override {
         rules.text(value, depth_);
-        if (is_storage()) return storage_.text(depth_, value);
-        if (section_ == Section::buffers && is_at(3, KeyName::uri)) {
+        if (keeps_storage()) return storage_.text(depth_, value);
+        if (section_ == Section::images && is_at(3, KeyName::uri)) {
+            if (!value.empty() && !value.starts_with("data:")) ++facts.outside_image_count;
+        } else if (section_ == Section::buffers && is_at(3, KeyName::uri)) {
             const bool keep = keep_data_uris_ && value.starts_with("data:");
             facts.buffers.back().has_uri = true;
             facts.buffers.back().uri = keep ? value : value.substr(0, kShownUriBytes);
@@ -139,7 +141,7 @@ class FactVisitor final : public base::JsonVisitor {
 
     void number(double value) override {
         rules.number(value, depth_);
-        if (is_storage()) return storage_.number(depth_, value);
+        if (keeps_storage()) return storage_.number(depth_, value);
         if (section_ == Section::buffers && is_at(3, KeyName::byte_length))
             facts.buffers.back().byte_length = value;
         else if (section_ == Section::animations && is_at(5, KeyName::sampler, 3, KeyName::channels))
@@ -150,7 +152,7 @@ class FactVisitor final : public base::JsonVisitor {
 
     void truth(bool value) override {
         rules.truth(depth_);
-        if (is_storage()) return storage_.truth(depth_, value);
+        if (keeps_storage()) return storage_.truth(depth_, value);
         if (section_ == Section::buffers && is_at(5, KeyName::fallback, 4, KeyName::meshopt) &&
             keys_[3] == KeyName::extensions)
             facts.buffers.back().is_fallback = value;
@@ -160,7 +162,7 @@ class FactVisitor final : public base::JsonVisitor {
         rules.open(depth_, is_array);
         if (depth_ == 0) facts.root_is_object = !is_array;
         if (depth_ == 1 && is_hidden()) facts.hidden_lists.emplace_back(offset + 1, offset + 1);
-        if (is_storage())
+        if (keeps_storage())
             storage_.open(depth_, is_array);
         else if (section_ != Section::other)
             begin_item(is_array);
@@ -170,7 +172,7 @@ class FactVisitor final : public base::JsonVisitor {
     void close(std::size_t offset) override {
         --depth_;
         if (depth_ == 1 && is_hidden()) facts.hidden_lists.back().second = offset;
-        if (is_storage()) return storage_.close(depth_);
+        if (keeps_storage()) return storage_.close(depth_);
         if (section_ == Section::other || depth_ >= counts_.size()) return;
         if (section_ == Section::animations && depth_ == 4 && keys_[3] == KeyName::channels &&
             !channel_.pointer.empty())
@@ -197,6 +199,8 @@ class FactVisitor final : public base::JsonVisitor {
     }
 
     bool is_storage() const { return section_ == Section::accessors || section_ == Section::views; }
+    // A file that is refused for its size is read to the end, but not kept.
+    bool keeps_storage() const { return is_storage() && !rules.is_over(); }
     bool is_hidden() const {
         return is_storage() || section_ == Section::buffers || section_ == Section::images;
     }
@@ -207,7 +211,9 @@ class FactVisitor final : public base::JsonVisitor {
             counts_[depth_ + 1] = 0;
             keys_[depth_ + 1] = KeyName::other;
         }
-        if (depth_ == 2 && section_ == Section::buffers && !is_array) facts.buffers.emplace_back();
+        if (depth_ == 2 && section_ == Section::buffers && !is_array && !rules.is_over())
+            facts.buffers.emplace_back();
+        if (depth_ == 2 && section_ == Section::images) ++facts.image_count;
         if (depth_ == 4 && section_ == Section::animations) channel_ = {counts_[2], counts_[4], -1, {}};
     }
 
@@ -253,7 +259,8 @@ base::Status check_buffers(const GltfFacts& facts, bool allow_data_uris) {
         const BufferFacts& buffer = facts.buffers[b];
         const std::string where = fmt::format("buffers/{}", b);
         if (buffer.byte_length < 1.0)
-            return Issue{IssueCode::glb_schema, where, "expected a byteLength of at least 1"};
+            return Issue{IssueCode::glb_schema, where,
+                         "expected a byteLength of at least 1, found less or none"};
         if (!buffer.has_uri || buffer.is_fallback) continue;
         const bool is_data = buffer.uri.starts_with("data:");
         if (is_data && allow_data_uris) continue;
@@ -287,7 +294,8 @@ base::Result<GltfFacts> read_gltf_facts(std::string_view json, bool allow_data_u
             IssueCode::glb_extension, "extensionsRequired",
             fmt::format("expected extensions that posepack reads, found {}", facts.unknown_extension)};
     if (auto status = check_buffers(facts, allow_data_uris); !status) return status.issue();
-    if (!storage) return storage.issue();
+    // Where nothing moves, that is the reason, whatever else is wrong.
+    if (!storage && visitor.rules.has_target()) return storage.issue();
     visitor.facts.has_target = visitor.rules.has_target();
     return std::move(visitor.facts);
 }

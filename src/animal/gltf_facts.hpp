@@ -37,8 +37,9 @@ struct GltfFacts {
     std::vector<BufferFacts> buffers;
     std::vector<PointerChannel> pointers;
     std::vector<PrimitiveIndices> indices;  // in the order of the file
-    bool has_target = false;                // some channel says what it moves
-    std::string unknown_extension;          // required, but not read; empty: none
+    std::uint32_t image_count = 0, outside_image_count = 0;
+    bool has_target = false;        // some channel says what it moves
+    std::string unknown_extension;  // required, but not read; empty: none
     std::vector<AccessorFacts> accessors;
     std::vector<ViewFacts> views;
     // What tinygltf must not see: where the contents of the lists "accessors", "bufferViews", "buffers" and

@@ -25,6 +25,9 @@ class GltfRules {
     // the root, or 131,072 objects), E-GLB-SCHEMA (a node's list is no list, or a child no whole number).
     base::Status status() const;
 
+    // Whether there is too much already: what follows need not be kept.
+    bool is_over() const { return !too_many_.empty(); }
+
     // Whether some channel says what it moves: a target's node, or a KHR_animation_pointer.
     bool has_target() const { return has_target_; }
 

@@ -140,18 +140,19 @@ void StorageVisitor::text(std::size_t depth, std::string_view value) {
     if (slot_.text != nullptr)
         slot_.text->assign(value);
     else if (slot_.is_set() || depth == 2)
-        blame("expected another value than a text");
+        blame("expected another value, found a text");
     slot_ = {};
 }
 
 void StorageVisitor::number(std::size_t depth, double value) {
     if (slot_.whole != nullptr) {
-        if (value >= 0.0 && value < kWholeLimit && value == std::floor(value))
-            *slot_.whole = static_cast<std::uint64_t>(value);
+        // Numbers beyond 64 bits lie beyond every range, as the largest of them do.
+        if (value >= 0.0 && value == std::floor(value))
+            *slot_.whole = value < kWholeLimit ? static_cast<std::uint64_t>(value) : kMissing - 1;
         else
             blame(fmt::format("expected a whole number, found {}", value));
     } else if (slot_.is_set() || depth == 2) {
-        blame("expected another value than a number");
+        blame("expected another value, found a number");
     }
     slot_ = {};
 }
@@ -160,7 +161,7 @@ void StorageVisitor::truth(std::size_t depth, bool value) {
     if (slot_.truth != nullptr)
         *slot_.truth = value;
     else if (slot_.is_set() || depth == 2)
-        blame("expected another value than true or false");
+        blame("expected another value, found true or false");
     slot_ = {};
 }
 
@@ -198,7 +199,7 @@ void StorageVisitor::close(std::size_t depth) {
 void StorageVisitor::close_accessor() {
     AccessorFacts& accessor = accessors.back();
     if (accessor.component == kMissing || accessor.count == kMissing || accessor.type_name.empty())
-        return blame("expected componentType, count and type");
+        return blame("expected componentType, count and type, found fewer");
     for (const NamedType& named : kTypes) {
         if (named.name != accessor.type_name) continue;
         accessor.type = named.type;
@@ -206,7 +207,9 @@ void StorageVisitor::close_accessor() {
         const SparseFacts& sparse = *accessor.sparse;
         if (sparse.count == kMissing || sparse.index_view == kMissing || sparse.value_view == kMissing ||
             sparse.index_component == kMissing)
-            blame("expected of its sparse object a count, indices with a componentType, and values");
+            blame(
+                "expected of its sparse object a count, indices with a componentType, and values, found "
+                "fewer");
         return;
     }
     blame(fmt::format("expected a type from SCALAR to MAT4, found '{}'", accessor.type_name.substr(0, 32)));
@@ -215,7 +218,7 @@ void StorageVisitor::close_accessor() {
 void StorageVisitor::close_view() {
     const ViewFacts& view = views.back();
     if (view.buffer == kMissing || view.length_bytes == kMissing)
-        return blame("expected buffer and byteLength");
+        return blame("expected buffer and byteLength, found fewer");
     if (view.stride_bytes > kMaxStrideBytes || view.stride_bytes % 4 != 0)
         blame(fmt::format("expected a byteStride of 4, 8, ... 252, found {}", view.stride_bytes));
 }

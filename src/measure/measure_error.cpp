@@ -35,27 +35,29 @@ struct Worst {
 
 // What one clip, or all of them, add up to.
 struct Tally {
-    Histogram distances, tangents;  // squared
-    double sum = 0.0;               // of squared distances
+    Histogram distances, half_tangents;  // squared
+    double sum = 0.0;                    // of squared distances
     std::uint64_t point_samples = 0, normal_samples = 0;
 
     void clear() {
         distances.clear();
-        tangents.clear();
+        half_tangents.clear();
         sum = 0.0;
         point_samples = normal_samples = 0;
     }
     void add(const Tally& other) {
         distances.add(other.distances);
-        tangents.add(other.tangents);
+        half_tangents.add(other.half_tangents);
         sum += other.sum;
         point_samples += other.point_samples;
         normal_samples += other.normal_samples;
     }
 };
 
-double degrees_of_tangent_square(double square) {
-    return square >= static_cast<double>(kRightAngle) ? 180.0 : std::atan(std::sqrt(square)) * kDegrees;
+// Of the square of the tangent of half the angle.
+double degrees_of_half_tangent_square(double square) {
+    return square >= static_cast<double>(kStraightAngle) ? 180.0
+                                                         : 2.0 * std::atan(std::sqrt(square)) * kDegrees;
 }
 
 struct Place {
@@ -105,8 +107,8 @@ class ClipMeter {
             for (std::size_t l = 0; l < batch.size(); ++l) fill_lane(sampler, clip, batch[l], l);
             worst_point.take(measure_points(points_, difference_, batch.size(), tally.distances, tally.sum),
                              batch);
-            worst_normal.take(measure_normals(normals_, difference_, exact_, batch.size(), tally.tangents),
-                              batch);
+            worst_normal.take(
+                measure_normals(normals_, difference_, exact_, batch.size(), tally.half_tangents), batch);
             tally.point_samples += batch.size() * points_.size();
             tally.normal_samples += batch.size() * normals_.size();
         }
@@ -125,9 +127,9 @@ class ClipMeter {
             error.rms =
                 static_cast<float>(std::sqrt(tally.sum / static_cast<double>(tally.point_samples)) / radius);
         error.normal_p999_deg = static_cast<float>(
-            degrees_of_tangent_square(static_cast<double>(tally.tangents.percentile(0.999))));
-        error.normal_rms_deg = static_cast<float>(std::sqrt(tally.tangents.mean([](double square) {
-            const double degrees = degrees_of_tangent_square(square);
+            degrees_of_half_tangent_square(static_cast<double>(tally.half_tangents.percentile(0.999))));
+        error.normal_rms_deg = static_cast<float>(std::sqrt(tally.half_tangents.mean([](double square) {
+            const double degrees = degrees_of_half_tangent_square(square);
             return degrees * degrees;
         })));
         return error;
@@ -199,7 +201,7 @@ class ClipMeter {
             const Place place = place_of(animal_, normals_, normal.entry);
             fill_lane(sampler, clip, normal.time_s, 0);
             error.normal_max_deg =
-                static_cast<float>(degrees_of_tangent_square(static_cast<double>(normal.square)));
+                static_cast<float>(degrees_of_half_tangent_square(static_cast<double>(normal.square)));
             error.normal_p999_deg = std::min(error.normal_p999_deg, error.normal_max_deg);
             error.normal_time_s = static_cast<float>(normal.time_s);
             error.normal_mesh = place.mesh;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "measure/skin_difference.hpp"
 
+#include <cmath>
+
 namespace posepack::measure {
 namespace {
 
@@ -75,15 +77,20 @@ LaneWorst measure_normals(const motion::SkinSet& set, const LaneMatrices& differ
                 add_row(e + 6 * kLanes, wx, wy, wz, ez);
             }
             for (std::size_t l = 0; l < kLanes; ++l) {
-                // tan(angle) = |E x (E + D)| / E.(E + D), and E x E is zero: no cancellation for small D.
+                // With a = E n and b = (E + D) n: a x b = a x D n, without cancellation for small D.
                 const float cx = ey[l] * dz[l] - ez[l] * dy[l];
                 const float cy = ez[l] * dx[l] - ex[l] * dz[l];
                 const float cz = ex[l] * dy[l] - ey[l] * dx[l];
                 const float cross = cx * cx + cy * cy + cz * cz;
-                const float dot = ex[l] * (ex[l] + dx[l]) + ey[l] * (ey[l] + dy[l]) + ez[l] * (ez[l] + dz[l]);
-                const float tangent = cross / (dot * dot);
-                // Written so that NaN (0 / 0: a normal that vanishes) and infinity end as a right angle too.
-                square[l] = dot > 0.0f && tangent < kRightAngle ? tangent : kRightAngle;
+                const float bx = ex[l] + dx[l], by = ey[l] + dy[l], bz = ez[l] + dz[l];
+                const float dot = ex[l] * bx + ey[l] * by + ez[l] * bz;
+                const float lengths = std::sqrt(ex[l] * ex[l] + ey[l] * ey[l] + ez[l] * ez[l]) *
+                                      std::sqrt(bx * bx + by * by + bz * bz);
+                // tan(angle / 2) = |a x b| / (|a||b| + a.b) = (|a||b| - a.b) / |a x b|: the one that adds.
+                const float sum = lengths + std::abs(dot);
+                const float half = dot >= 0.0f ? cross / (sum * sum) : sum * sum / cross;
+                // Written so that NaN (0 / 0: a normal that vanishes) and infinity end as a straight angle.
+                square[l] = half < kStraightAngle ? half : kStraightAngle;
             }
             keep_largest(square, i, worst);
             for (std::size_t l = 0; l < lane_count; ++l) histogram.add(square[l]);

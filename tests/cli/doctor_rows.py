@@ -60,7 +60,7 @@ def _repaired(case):
     case.equal((exit_code, found), (0, [("W-GLB-WEIGHTS", "repair")]), "findings")
     case.equal(shown["strict_refusal"]["code"], "E-GLB-WEIGHTS", "what --strict would answer")
     text = case.run("doctor", "deer.glb", writes=()).stdout
-    for part in ("1 repair,", "What is repaired", "1 vertices", "With --strict it would be refused"):
+    for part in ("1 repair,", "What is repaired", "1 vertex", "With --strict it would be refused"):
         case.contains(text, part, "text")
     exit_code, strict = _examine(case, document.glb(), "--strict")
     case.equal((exit_code, strict["exit_code"], strict["refusal"]["code"], strict["bake"]),

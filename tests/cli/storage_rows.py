@@ -119,9 +119,9 @@ REFUSED = [
      _meshopt_file(lambda d, e: (e.update(count=1 << 40), d.view("spine").update(byteLength=1 << 44)), "spine"),
      3, "E-GLB-MESHOPT", ("bufferViews/",)),
     ("G29b", "Draco stream of more points than its accessors declare", _draco_file(_declare_few_points),
-     6, "E-LIM-DECODED", ("20 points",)),
+     6, "E-LIM-DECODED", ("the 5 points", "found 20 ")),
     ("G29c", "Draco stream of 2^32 - 1 faces", _draco_file(faces=0xFFFFFFFF), 6, "E-LIM-DECODED",
-     ("4294967295 faces",)),
+     ("and 4294967295 in",)),
     ("G29d", "Draco stream that is cut off", _draco_file(_cut_stream), 3, "E-GLB-DRACO", ("primitives/0",)),
 ]
 

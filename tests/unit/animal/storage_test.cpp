@@ -60,9 +60,9 @@ TEST(ElementSpan, HoldsToItsBytes) {
 }
 
 TEST(DecodeBudget, TakesNoMoreThanThereIs) {
-    DecodeBudget budget(0);  // 64 MiB
-    EXPECT_TRUE(budget.take(1 << 20, 32));
-    EXPECT_TRUE(budget.take(1 << 20, 32));
+    DecodeBudget budget(0);  // 16 MiB
+    EXPECT_TRUE(budget.take(1 << 18, 32));
+    EXPECT_TRUE(budget.take(1 << 18, 32));
     EXPECT_TRUE(budget.take(0, 4));
     EXPECT_FALSE(budget.take(1, 1));
     DecodeBudget wide(kHuge / 32);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "measure/decode_cost.hpp"
@@ -181,7 +182,7 @@ TEST(KnownErrors, HugeDifferencesAreNoAccident) {
     }
 }
 
-TEST(Normals, BeyondARightAngleIsTheLargest) {
+TEST(Normals, AnglesRiseToTheStraightOne) {
     motion::SkinSet set;
     set.vectors = {{0, 0, 1}};
     set.bones = {{0, 0, 0, 0}};
@@ -191,20 +192,25 @@ TEST(Normals, BeyondARightAngleIsTheLargest) {
     difference.values.resize(12 * kLanes);
     exact.values.resize(9 * kLanes);
     // E is the identity; its difference turns the normal (lane 0), halves it (1), flips it (2), wipes it out
-    // (3).
-    const float change[4][3] = {{1, 0, 0}, {0, 0, -0.5f}, {0, 0, -2}, {0, 0, -1}};
-    for (std::size_t lane = 0; lane < 4; ++lane)
+    // (3), turns it by a right angle (4) and by 135 degrees (5).
+    const float change[6][3] = {{1, 0, 0}, {0, 0, -0.5f}, {0, 0, -2}, {0, 0, -1}, {1, 0, -1}, {1, 0, -2}};
+    for (std::size_t lane = 0; lane < 6; ++lane)
         for (std::size_t r = 0; r < 3; ++r) {
             exact.values[r * 4 * kLanes + lane] = 1;
             difference.values[(r * 4 + 2) * kLanes + lane] = change[lane][r];
         }
     Histogram histogram;
-    const LaneWorst worst = measure_normals(set, difference, exact, 4, histogram);
-    EXPECT_EQ(worst.value[0], 1.0f) << "45 degrees";
+    const LaneWorst worst = measure_normals(set, difference, exact, 6, histogram);
+    const auto degrees = [&](std::size_t lane) {
+        return 2 * std::atan(std::sqrt(static_cast<double>(worst.value[lane]))) * 180 / std::numbers::pi;
+    };
+    EXPECT_NEAR(degrees(0), 45.0, 1e-5);
+    EXPECT_NEAR(degrees(4), 90.0, 1e-5);
+    EXPECT_NEAR(degrees(5), 135.0, 1e-5);
     EXPECT_EQ(worst.value[1], 0.0f);
-    EXPECT_EQ(worst.value[2], kRightAngle);
-    EXPECT_EQ(worst.value[3], kRightAngle);
-    EXPECT_EQ(histogram.count(), 4u) << "only the lanes asked for";
+    EXPECT_EQ(worst.value[2], kStraightAngle);
+    EXPECT_EQ(worst.value[3], kStraightAngle);
+    EXPECT_EQ(histogram.count(), 6u) << "only the lanes asked for";
 }
 
 motion::RowPlan plan_of(std::uint32_t row_count, double period_s, double duration_s, recipe::Wrap wrap) {
