@@ -98,9 +98,12 @@ class ClipMeter {
         exact_.values.resize(animal.bones.size() * 9 * kLanes);
     }
 
-    ClipError measure(const palette::PaletteClip& clip, Tally& tally) {
+    // Errors: E-LIM-WORK, before the work is done.
+    base::Result<ClipError> measure(const palette::PaletteClip& clip, Tally& tally) {
         motion::ClipSampler sampler(animal_, animal_.clips[clip.source]);
         const std::vector<double> times_s = test_times_s(clip.plan, sampler.key_times_s());
+        if (auto status = take_samples(times_s.size(), animal_.clips[clip.source].name); !status)
+            return status.issue();
         Worst worst_point, worst_normal;
         for (std::size_t first = 0; first < times_s.size(); first += kLanes) {
             const auto batch = std::span(times_s).subspan(first, std::min(kLanes, times_s.size() - first));
@@ -136,6 +139,18 @@ class ClipMeter {
     }
 
  private:
+    base::Status take_samples(std::size_t time_count, const std::string& clip) {
+        const std::uint64_t wanted = std::uint64_t{time_count} * (points_.size() + normals_.size());
+        if (wanted > samples_left_)
+            return base::Issue{
+                base::IssueCode::lim_work, clip,
+                fmt::format(
+                    "expected at most {} places (times x vertices and normals) left to measure, found {}",
+                    samples_left_, wanted)};
+        samples_left_ -= wanted;
+        return {};
+    }
+
     // Exact matrices, and their difference to what is read, at one time.
     void fill_lane(motion::ClipSampler& sampler, const palette::PaletteClip& clip, double time_s,
                    std::size_t lane) {
@@ -218,6 +233,7 @@ class ClipMeter {
     std::vector<Affine> bones_;
     std::vector<float> blended_;
     LaneMatrices difference_, exact_;
+    std::uint64_t samples_left_ = kMaxSamples;
 };
 
 }  // namespace
@@ -255,7 +271,9 @@ base::Result<ErrorStats> measure_error(const Animal& animal, const palette::Pale
     Tally all, one;
     for (std::uint32_t c = 0; c < palette.clips.size(); ++c) {
         one.clear();
-        const ClipError error = meter.measure(palette.clips[c], one);
+        const auto measured = meter.measure(palette.clips[c], one);
+        if (!measured) return measured.issue();
+        const ClipError& error = measured.value();
         if (!std::isfinite(error.max) || !std::isfinite(error.rms))
             return base::Issue{base::IssueCode::lim_float_range, animal.clips[palette.clips[c].source].name,
                                "expected errors that fit a float, found a motion too large to be measured"};

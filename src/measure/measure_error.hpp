@@ -18,6 +18,10 @@
 
 namespace posepack::measure {
 
+// (Times x points and normals) of one animal: about a minute of one core. Real characters of eighty clips
+// have 1 % of it; a small file of many keys could ask for days.
+inline constexpr std::uint64_t kMaxSamples = 10'000'000'000;
+
 struct ErrorStats {
     std::vector<palette::ClipError> clips;  // in the order of the palette's clips
     palette::ClipError pooled;              // over all clips: the worst place is in clip `worst_clip`
@@ -29,8 +33,8 @@ struct ErrorStats {
 // Measures `container` (bytes of write_container) against `animal`.
 //   palette  tells the plan of each clip; its pixels are not looked at
 //   points, normals  of the animal
-// Errors: E-INTERNAL when the loader refuses the bytes, which are our own, E-LIM-FLOAT-RANGE when an error
-// fits no float.
+// Errors: E-LIM-WORK when that would take more than kMaxSamples; E-INTERNAL when the loader refuses the
+// bytes, which are our own, E-LIM-FLOAT-RANGE when an error fits no float.
 base::Result<ErrorStats> measure_error(const animal::Animal& animal, const palette::Palette& palette,
                                        std::span<const std::uint8_t> container, const motion::SkinSet& points,
                                        const motion::SkinSet& normals);

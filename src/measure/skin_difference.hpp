@@ -34,8 +34,8 @@ LaneWorst measure_points(const motion::SkinSet& set, const LaneMatrices& differe
                          Histogram& histogram, double& sum);
 
 // Squared tangents of half the angle between E n and (E + D) n for every normal of `set`; E is `exact` (9
-// elements a bone, row-major 3x3), D is `difference` as above. They rise with the angle from 0 to 180 degrees;
-// opposite normals, and those that vanish, count as kStraightAngle.
+// elements a bone, row-major 3x3), D is `difference` as above. They rise with the angle from 0 to 180
+// degrees; opposite normals, and those that vanish, count as kStraightAngle.
 inline constexpr float kStraightAngle = 1e30f;
 LaneWorst measure_normals(const motion::SkinSet& set, const LaneMatrices& difference,
                           const LaneMatrices& exact, std::size_t lane_count, Histogram& histogram);

@@ -105,6 +105,25 @@ def _empty_objects(case):
                                  "E-LIM-COUNT")
 
 
+def _work(case):
+    """80,000 vertices under 60,000 keys of no grid: hours to measure, refused before that, baked without."""
+    document = _duration(600.0)
+    vertices, keys = 80_000, 60_000
+    document.add("many_places", [value for v in range(vertices) for value in (v % 300, v // 300, 1)], "VEC3")
+    document.add("many_joints", [0, 0, 0, 0] * vertices, "VEC4", glb.UBYTE)
+    document.add("many_weights", [1, 0, 0, 0] * vertices, "VEC4")
+    document.json["meshes"][0]["primitives"] = [{"mode": 0, "attributes": {
+        "POSITION": document.names["many_places"], "JOINTS_0": document.names["many_joints"],
+        "WEIGHTS_0": document.names["many_weights"]}}]
+    document.add("many_times", [key * 0.01 + 0.002 * (key * key % 3) for key in range(keys)], "SCALAR")
+    document.add("many_keys", [value for key in range(keys) for value in (key % 2, 0, 0)], "VEC3")
+    document.json["animations"][0]["samplers"] = [{"input": document.names["many_times"],
+                                                   "output": document.names["many_keys"]}]
+    catalog = case.write_animal(document.glb(), clips=[{"name": "Walk", "wrap": "once"}])
+    case.expect_bake_refused(catalog, 6, "E-LIM-WORK", "--rate", 1)
+    case.expect_ok(case.bake(catalog, "--rate", 1, "--no-measure"))
+
+
 ROWS = [
     _row("L01", f"{MAX_BONES:,} bones", lambda: (_bones(MAX_BONES), _bones(MAX_BONES + 1)), ((), ()),
          "E-LIM-BONES"),
@@ -121,4 +140,5 @@ ROWS = [
     Row("L07", "memory: channels that share an output", _shared_output),
     Row("L08", "memory: a mesh drawn by 60,000 nodes", _instances),
     Row("L09", "memory: millions of empty objects", _empty_objects),
+    Row("L10", "work: what measuring may look at", _work),
 ]
