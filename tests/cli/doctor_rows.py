@@ -47,7 +47,7 @@ def _as_a_bake(case):
     sizes = {form["form"]: form["bytes"] for form in bake["forms"]}
     texels = record["row_count"] * record["bone_count"]
     case.equal(sizes, {"mat4 RGBA32F": texels * 64, "mat4 RGBA16F": texels * 32, "affine RGBA32F": texels * 48,
-                       "affine RGBA16F": texels * 24}, "bytes of the forms")
+                       "affine RGBA16F": texels * 24, "dualquat RGBA16F": texels * 16}, "bytes of the forms")
     _, quick = _examine(case, data, "--no-measure")
     case.equal((quick["bake"]["error"], quick["bake"]["rows"]), (None, record["row_count"]), "--no-measure")
 

@@ -21,6 +21,7 @@ recipe::AnimalEntry entry_of(const std::filesystem::path& path, std::optional<do
     entry.model = path.filename().string();
     entry.canonical_json = "{}";
     entry.output.texel_format = recipe::TexelFormat::rgba32f;
+    entry.output.space = recipe::Space::model;
     entry.output.caps = recipe::Caps::desktop;
     // Played once: every key has a row, whatever the seam of a changed clip looks like.
     recipe::ClipWish every;

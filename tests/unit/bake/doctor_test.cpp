@@ -83,9 +83,10 @@ TEST(Doctor, GivesTheFiguresOfABake) {
     EXPECT_EQ(found.bake->worst_clip, record.error.clip);
     EXPECT_EQ(found.bake->error_max, static_cast<double>(record.error.max));
     EXPECT_NEAR(found.radius_m, static_cast<double>(record.radius_m), 1e-6);
-    ASSERT_EQ(found.bake->forms.size(), 4u);
+    ASSERT_EQ(found.bake->forms.size(), 5u);
     EXPECT_EQ(found.bake->forms[0].bytes, std::uint64_t{record.row_count} * 3 * 64);
     EXPECT_EQ(found.bake->forms[3].bytes, std::uint64_t{record.row_count} * 3 * 24);
+    EXPECT_EQ(found.bake->forms[4].bytes, std::uint64_t{record.row_count} * 3 * 16);
     DoctorOptions quick;
     quick.measure = false;
     EXPECT_FALSE(examined(glb, quick).bake->is_measured);

@@ -30,6 +30,7 @@ recipe::AnimalEntry extreme_entry(recipe::TexelFormat format = recipe::TexelForm
     entry.model = "extreme.glb";
     entry.canonical_json = "{}";
     entry.metres_per_unit = kMetresPerUnit;
+    entry.output.space = recipe::Space::model;  // compared with matrices of the model
     entry.output.texel_format = format;
     entry.output.caps = recipe::Caps::desktop;
     recipe::ClipWish every;
