@@ -120,8 +120,8 @@ def _work(case):
     document.json["animations"][0]["samplers"] = [{"input": document.names["many_times"],
                                                    "output": document.names["many_keys"]}]
     catalog = case.write_animal(document.glb(), clips=[{"name": "Walk", "wrap": "once"}])
-    case.expect_bake_refused(catalog, 6, "E-LIM-WORK", "--rate", 1)
-    case.expect_ok(case.bake(catalog, "--rate", 1, "--no-measure"))
+    case.expect_bake_refused(catalog, 6, "E-LIM-WORK", "--rate", 1, measure=True)
+    case.expect_ok(case.bake(catalog, "--rate", 1))
 
 
 ROWS = [

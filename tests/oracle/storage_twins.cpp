@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Files that hold one animal twice, plainly and compressed: the posed bodies must be the same but for what the
-// compression rounded.
+// Files that hold one animal twice, plainly and compressed: the posed bodies must be the same but for what
+// the compression rounded.
 //
 //   posepack_storage_twins PROJECT
 //
 // For each pair and each clip of both, at four times: how far a vertex of one posed body is from the nearest
-// vertex of the other, in parts of the radius (half the diagonal of the rest pose's box), both ways. Compression
-// reorders vertices, and quantisation moves a part of the transform from the mesh into the inverse bind matrices,
-// so neither vertices nor matrices can be compared one by one. Models lie in POSEPACK_ASSETS, else in
-// ../shared/assets beside the project; without them the test is skipped (exit code 77), but fails where CI=true.
+// vertex of the other, in parts of the radius (half the diagonal of the rest pose's box), both ways.
+// Compression reorders vertices, and quantisation moves a part of the transform from the mesh into the
+// inverse bind matrices, so neither vertices nor matrices can be compared one by one. Models lie in
+// POSEPACK_ASSETS, else in
+// ../shared/assets beside the project; without them the test is skipped (exit code 77), but fails where
+// CI=true.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -156,10 +158,12 @@ int compare_all(const fs::path& assets) {
     for (const Pair& pair : kPairs) {
         const Animal plain = read(assets, pair.plain);
         const Outcome outcome = compare(plain, read(assets, pair.stored));
-        const bool is_good = outcome.clips + kMostUnmatched >= plain.clips.size() && outcome.worst <= pair.limit;
+        const bool is_good =
+            outcome.clips + kMostUnmatched >= plain.clips.size() && outcome.worst <= pair.limit;
         faults += is_good ? 0 : 1;
-        fmt::print("{:<26}{:<28}{:>6}{:>11.1e}{:>11.1e}  {}{}\n", pair.plain, pair.stored, outcome.clips, outcome.worst,
-                   pair.limit, pair.reason, is_good ? "" : fmt::format("  <- not so in {}", outcome.clip));
+        fmt::print("{:<26}{:<28}{:>6}{:>11.1e}{:>11.1e}  {}{}\n", pair.plain, pair.stored, outcome.clips,
+                   outcome.worst, pair.limit, pair.reason,
+                   is_good ? "" : fmt::format("  <- not so in {}", outcome.clip));
     }
     return faults;
 }
