@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "animal/read_animal.hpp"
+#include "bake/choose_rows.hpp"
 #include "bake/records.hpp"
 #include "bake/select_clips.hpp"
 #include "base/sha256.hpp"
@@ -176,6 +177,21 @@ base::Status check_seam_gaps(const Animal& animal, const Palette& palette) {
     return {};
 }
 
+// The bound of each clip as fractions of R: its own, else the animal's.
+std::vector<fit::Limits> clip_limits(const recipe::AnimalEntry& entry, const std::vector<ClipChoice>& choices,
+                                     const Palette& palette) {
+    const double radius_m = palette.radius * palette.metres_per_unit;
+    const auto fraction = [&](const std::optional<recipe::ErrorLimit>& limit) {
+        return limit ? limit->fraction(radius_m) : HUGE_VAL;
+    };
+    std::vector<fit::Limits> limits;
+    for (const ClipChoice& choice : choices) {
+        const recipe::ErrorBound& bound = choice.bound ? *choice.bound : *entry.output.bound;
+        limits.push_back({fraction(bound.max), fraction(bound.p999), fraction(bound.rms)});
+    }
+    return limits;
+}
+
 base::Result<Palette> make_palette(const recipe::AnimalEntry& entry, const Animal& animal,
                                    const motion::SkinSet& points, std::vector<Issue>& findings) {
     auto choices = select_clips(animal, entry);
@@ -198,6 +214,16 @@ base::Result<Palette> make_palette(const recipe::AnimalEntry& entry, const Anima
     palette::RoundingAids aids;
     aids.halves = palette.spaces.normalised ? palette::Halves::normal : palette::Halves::all;
     aids.moments = palette::bone_moments(points, palette.spaces, animal.bones.size(), palette.reach());
+    if (entry.output.bound) {
+        const std::vector<fit::Limits> bounds = clip_limits(entry, choices.value(), palette);
+        const std::uint8_t texel_format = entry.output.texel_format == recipe::TexelFormat::rgba16f
+                                              ? POSEPACK_TEXEL_RGBA16F
+                                              : POSEPACK_TEXEL_RGBA32F;
+        if (auto status = choose_palette_rows(animal, points, bounds, texel_format, aids, palette); !status)
+            return status.issue();
+        if (auto status = check_seam_gaps(animal, palette); !status) return status.issue();
+        return palette;
+    }
     if (entry.output.encoding == recipe::Encoding::dualquat) {
         if (auto status = fit_dualquats(animal, aids.moments, palette); !status) return status.issue();
         aids.dualquat_length = palette.dualquat_length;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bake/records.hpp"
 
+#include "posepack/format.h"
 #include "vat/vram.hpp"
 
 namespace posepack::bake {
@@ -28,6 +29,13 @@ recipe::ErrorRecord error_record(const palette::ClipError& error, const animal::
     return record;
 }
 
+// One encoding, or "mixed" where clips differ.
+std::string_view runs_encoding(std::uint8_t encoding) {
+    if (encoding == POSEPACK_MIXED) return "mixed";
+    return recipe::name_of(encoding == POSEPACK_ENCODING_DUALQUAT ? recipe::Encoding::dualquat
+                                                          : recipe::Encoding::affine);
+}
+
 }  // namespace
 
 recipe::BakeRecord describe(const recipe::AnimalEntry& entry, const animal::Animal& animal,
@@ -36,7 +44,7 @@ recipe::BakeRecord describe(const recipe::AnimalEntry& entry, const animal::Anim
     record.id = entry.id;
     record.container = entry.id + ".posepack";
     record.model = entry.model;
-    record.encoding = name_of(entry.output.encoding);
+    record.encoding = palette.has_runs() ? runs_encoding(palette.layout.encoding) : recipe::name_of(entry.output.encoding);
     record.texel_format = name_of(entry.output.texel_format);
     record.texel_order = name_of(entry.output.texel_order);
     record.bone_count = palette.layout.bone_count;
@@ -52,8 +60,9 @@ recipe::BakeRecord describe(const recipe::AnimalEntry& entry, const animal::Anim
         out.name = animal.clips[clip.source].name;
         out.source_name = animal.clips[clip.source].source_name;
         out.first_row = clip.first_row;
-        out.row_count = clip.plan.row_count;
-        out.rate_hz = static_cast<float>(clip.plan.rate_hz);
+        const bool has_runs = !clip.runs.is_empty();
+        out.row_count = has_runs ? clip.stored_rows() : clip.plan.row_count;
+        out.rate_hz = static_cast<float>(has_runs ? clip.runs_rate_hz() : clip.plan.rate_hz);
         out.period_s = clip.plan.row_count == 1 ? 0.0f : static_cast<float>(clip.plan.period_s);
         out.start_s = static_cast<float>(animal.clips[clip.source].start_s);
         out.wrap = name_of(clip.plan.wrap);

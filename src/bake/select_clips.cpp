@@ -89,7 +89,8 @@ base::Result<std::vector<ClipChoice>> select_clips(const Animal& animal, const r
                                {wish.rate_hz ? wish.rate_hz : entry.rate_hz, wish.wrap, wish.seam},
                                wish.speed_mps,
                                wish.stride_phase,
-                               wish.states});
+                               wish.states,
+                               wish.bound});
         }
     }
     return choices;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/result.hpp"
+#include "recipe/bound.hpp"
 
 namespace posepack::recipe {
 
@@ -38,9 +39,11 @@ struct OutputOptions {
     RowPitch row_pitch = RowPitch::tight;
     Caps caps = Caps::webgl2;
     Space space = Space::automatic;
+    std::optional<ErrorBound> bound;  // form and rows are chosen by it; `encoding` then says nothing
 
     bool is_normalised() const {
-        return space == Space::normalised || (space == Space::automatic && encoding != Encoding::mat4);
+        return space == Space::normalised ||
+               (space == Space::automatic && (bound || encoding != Encoding::mat4));
     }
 };
 
@@ -52,6 +55,7 @@ struct OutputOverrides {
     std::optional<RowPitch> row_pitch;
     std::optional<Caps> caps;
     std::optional<Space> space;
+    std::optional<ErrorBound> bound;
 };
 
 // One wish for clips of an animal: a name, or a pattern with * and ?.
@@ -63,6 +67,7 @@ struct ClipWish {
     Seam seam = Seam::automatic;
     double speed_mps = 0.0;     // ground speed at rate 1; 0: not stated
     double stride_phase = 0.0;  // phase of the first foot contact, 0..1
+    std::optional<ErrorBound> bound;  // of this clip alone; needs a bound of the animal
 };
 
 // State name -> keywords, in order of preference: the first clip whose name holds the keyword plays it.
