@@ -60,15 +60,37 @@ Issue too_many_rows(const std::string& clip, std::uint64_t rows) {
                         rows)};
 }
 
+// What a seam that counts as closed may miss by: a share of the largest error allowed.
+constexpr double kSeamShare = 0.25;
+
+// The bound of each clip as fractions of R: its own, else the animal's.
+std::vector<fit::Limits> clip_limits(const recipe::AnimalEntry& entry, const std::vector<ClipChoice>& choices,
+                                     const Palette& palette) {
+    const double radius_m = palette.radius * palette.metres_per_unit;
+    const auto fraction = [&](const std::optional<recipe::ErrorLimit>& limit) {
+        return limit ? limit->fraction(radius_m) : HUGE_VAL;
+    };
+    std::vector<fit::Limits> limits;
+    for (const ClipChoice& choice : choices) {
+        const recipe::ErrorBound& bound = choice.bound ? *choice.bound : *entry.output.bound;
+        limits.push_back({fraction(bound.max), fraction(bound.p999), fraction(bound.rms)});
+    }
+    return limits;
+}
+
 base::Status plan_clips(const Animal& animal, const std::vector<ClipChoice>& choices,
+                        const std::vector<fit::Limits>& bounds,
                         const motion::SkinSet& points, Palette& palette, std::vector<Issue>& findings) {
     std::uint64_t rows = 0;
-    for (const ClipChoice& choice : choices) {
+    for (std::size_t c = 0; c < choices.size(); ++c) {
+        const ClipChoice& choice = choices[c];
         const animal::Clip& clip = animal.clips[choice.source];
         motion::ClipSampler sampler(animal, clip);
+        motion::RowWish wish = choice.wish;
+        if (!bounds.empty()) wish.largest_gap = kSeamShare * bounds[c].max;
         palette::PaletteClip out;
         out.source = choice.source;
-        out.plan = motion::plan_rows(animal, clip, sampler, points, palette.radius, choice.wish);
+        out.plan = motion::plan_rows(animal, clip, sampler, points, palette.radius, wish);
         out.speed_mps = choice.speed_mps;
         out.stride_phase = choice.stride_phase;
         rows += out.plan.row_count;
@@ -177,21 +199,6 @@ base::Status check_seam_gaps(const Animal& animal, const Palette& palette) {
     return {};
 }
 
-// The bound of each clip as fractions of R: its own, else the animal's.
-std::vector<fit::Limits> clip_limits(const recipe::AnimalEntry& entry, const std::vector<ClipChoice>& choices,
-                                     const Palette& palette) {
-    const double radius_m = palette.radius * palette.metres_per_unit;
-    const auto fraction = [&](const std::optional<recipe::ErrorLimit>& limit) {
-        return limit ? limit->fraction(radius_m) : HUGE_VAL;
-    };
-    std::vector<fit::Limits> limits;
-    for (const ClipChoice& choice : choices) {
-        const recipe::ErrorBound& bound = choice.bound ? *choice.bound : *entry.output.bound;
-        limits.push_back({fraction(bound.max), fraction(bound.p999), fraction(bound.rms)});
-    }
-    return limits;
-}
-
 base::Result<Palette> make_palette(const recipe::AnimalEntry& entry, const Animal& animal,
                                    const motion::SkinSet& points, std::vector<Issue>& findings) {
     auto choices = select_clips(animal, entry);
@@ -208,14 +215,15 @@ base::Result<Palette> make_palette(const recipe::AnimalEntry& entry, const Anima
         !(radius_m > 0.0f) || !std::isfinite(radius_m))
         return Issue{IssueCode::glb_no_extent, "",
                      fmt::format("expected a rest pose with a size, found a radius of {:.3g} m", radius_m)};
-    if (auto status = plan_clips(animal, choices.value(), points, palette, findings); !status)
+    const std::vector<fit::Limits> bounds =
+        entry.output.bound ? clip_limits(entry, choices.value(), palette) : std::vector<fit::Limits>{};
+    if (auto status = plan_clips(animal, choices.value(), bounds, points, palette, findings); !status)
         return status.issue();
     if (entry.output.is_normalised()) palette.spaces = choose_spaces(animal, palette);
     palette::RoundingAids aids;
     aids.halves = palette.spaces.normalised ? palette::Halves::normal : palette::Halves::all;
     aids.moments = palette::bone_moments(points, palette.spaces, animal.bones.size(), palette.reach());
     if (entry.output.bound) {
-        const std::vector<fit::Limits> bounds = clip_limits(entry, choices.value(), palette);
         const std::uint8_t texel_format = entry.output.texel_format == recipe::TexelFormat::rgba16f
                                               ? POSEPACK_TEXEL_RGBA16F
                                               : POSEPACK_TEXEL_RGBA32F;

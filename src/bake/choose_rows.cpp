@@ -23,7 +23,7 @@ using palette::ClipError;
 using palette::PaletteClip;
 
 constexpr int kMostTries = 8;        // of one fineness
-constexpr double kCloseEnough = 0.97;  // of the bound: not worth another try
+constexpr double kCloseEnough = 0.98;  // of the bound: not worth another try
 constexpr double kRounding = 3e-4;   // of R: what rounding adds to the largest error
 constexpr double kShortestReal = 0.75;
 
@@ -44,21 +44,39 @@ Shares shares_of(const ClipError& error, const Limits& bound) {
     return {share(error.max, bound.max), share(error.p999, bound.p999), share(error.rms, bound.rms)};
 }
 
-// Narrower limits where a figure broke the bound; wider ones where none did. What single bones tell differs
-// from what vertices between them show, by a factor that hardly changes.
-Limits adjusted(Limits limits, const Shares& shares, const Limits& bound) {
-    const bool broken = shares.largest() > 1.0;
-    const auto turn = [&](double& limit, double share, double most) {
-        if (share <= 0.0 || !std::isfinite(limit)) return;
-        if (share > 1.0)
-            limit *= std::max(0.4, 0.985 / share);
-        else if (!broken)
-            limit = std::min(limit * std::min(1.6, 0.99 / share), most);
+// What single bones tell differs from what vertices between them show, by factors that hardly change from try
+// to try: the next limits take them out.
+Limits corrected(const Limits& bound, const Limits& expected, const ClipError& found) {
+    const auto turn = [](double limit, double told, float seen) {
+        const double factor = std::clamp(told / std::max(static_cast<double>(seen), 1e-9), 0.1, 4.0);
+        return std::isfinite(limit) ? limit * factor : limit;
     };
-    turn(limits.max, shares.max, 1.5 * bound.max);
-    turn(limits.p999, shares.p999, 6.0 * bound.p999);
-    turn(limits.rms, shares.rms, 6.0 * bound.rms);
-    return limits;
+    return {turn(bound.max, expected.max, found.max), turn(bound.p999, expected.p999, found.p999),
+            turn(bound.rms, expected.rms, found.rms)};
+}
+
+// Looks for the widest limits whose rows keep the bound, as multiples of the same: between the widest that kept
+// it and the narrowest that did not.
+class Search {
+ public:
+    double scale() const { return scale_; }
+    // Another multiple, after one whose errors take `share` of the bound. False: it is not worth one.
+    bool step(double share) {
+        (share <= 1.0 ? kept_ : broken_) = scale_;
+        if (kept_ > 0.0 && broken_ < HUGE_VAL) {
+            scale_ = std::sqrt(kept_ * broken_);
+            return broken_ / kept_ > 1.01 && share < kCloseEnough + (share > 1.0 ? HUGE_VAL : 0.0);
+        }
+        scale_ *= share > 1.0 ? std::pow(0.99 / share, 1.25) : std::min(1.3, 0.995 / share);
+        return share > 1.0 || share < kCloseEnough;
+    }
+
+ private:
+    double scale_ = 1.0, kept_ = 0.0, broken_ = HUGE_VAL;
+};
+
+Limits scaled(const Limits& limits, double scale) {
+    return {limits.max * scale, limits.p999 * scale, limits.rms * scale};
 }
 
 palette::Similarity similarity_of(const double* n) {
@@ -191,10 +209,13 @@ base::Result<ChosenRows> RowChooser::choose(std::uint32_t index, fit::Form form,
                                   fineness.rows_per_key);
         Limits limits = bound;
         limits.max = std::max(0.5 * bound.max, bound.max - kRounding);
+        Limits base = limits;
+        Search search;
         for (int attempt = 0; attempt < kMostTries; ++attempt) {
-            const auto rows = selector.select(limits);
-            if (!rows) break;
-            auto encoded = encode(tracks, selector, *rows);
+            if (attempt > 0) limits = scaled(base, search.scale());
+            const auto selection = selector.select(limits);
+            if (!selection) break;
+            auto encoded = encode(tracks, selector, selection->rows);
             if (!encoded) break;
             PaletteClip trial = clip;
             trial.runs = encoded->runs;
@@ -203,6 +224,7 @@ base::Result<ChosenRows> RowChooser::choose(std::uint32_t index, fit::Form form,
             if (!error) return error.issue();
             const Shares shares = shares_of(error.value(), bound);
             const bool keeps = shares.largest() <= 1.0;
+            if (getenv("PPDBG")) fmt::print(stderr, "{} f{} try {} bytes {} max {:.3g}/{:.3g} p999 {:.3g}/{:.3g} rms {:.3g}/{:.3g} limits {:.3g} {:.3g} {:.3g}\n", source.name, fineness.rows_per_key, attempt, bytes_of(encoded->runs), error.value().max, bound.max, error.value().p999, bound.p999, error.value().rms, bound.rms, limits.max, limits.p999, limits.rms);
             attempts.push_back({encoded->runs.encoding, bytes_of(encoded->runs), error.value().max,
                                 error.value().p999, error.value().rms, keeps});
             if (shares.largest() < nearest_share) {
@@ -211,8 +233,12 @@ base::Result<ChosenRows> RowChooser::choose(std::uint32_t index, fit::Form form,
             }
             if (keeps && (best.runs.is_empty() || bytes_of(encoded->runs) < bytes_of(best.runs)))
                 best = std::move(*encoded);
-            if (keeps && shares.largest() >= kCloseEnough) break;
-            limits = adjusted(limits, shares, bound);
+            if (attempt == 0) {
+                if (keeps && shares.largest() >= kCloseEnough) break;
+                base = corrected(bound, selection->expected, error.value());
+            } else if (!search.step(shares.largest())) {
+                break;
+            }
         }
         if (!best.runs.is_empty()) break;
     }
@@ -253,6 +279,11 @@ base::Status choose_palette_rows(const animal::Animal& animal, const motion::Ski
     std::vector<ChosenRows> chosen;
     for (std::uint32_t c = 0; c < palette.clips.size(); ++c) {
         auto rows = chooser.choose(c, forms[c], bounds[c]);
+        // Matrices hold what dual quaternions of halves do not: far from the centre they round better.
+        if (!rows && rows.issue().code == base::IssueCode::lim_bound && forms[c] == fit::Form::dualquat) {
+            auto matrices = chooser.choose(c, fit::Form::affine, bounds[c]);
+            if (matrices) rows = std::move(matrices);
+        }
         if (!rows) return rows.issue();
         chosen.push_back(std::move(rows).value());
     }

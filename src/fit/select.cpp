@@ -17,7 +17,7 @@ std::vector<std::uint32_t> make_ladder(const Tracks& tracks, std::uint32_t fines
     if (tracks.interval_count == 0) return ladder;
     const std::uint32_t keys = tracks.key_intervals;
     const std::uint32_t least = tracks.loop ? 2 : 1;
-    for (double below = keys; below >= least; below *= 0.84)
+    for (double below = keys; below >= least; below *= 0.88)
         ladder.push_back(static_cast<std::uint32_t>(std::lround(below)));
     ladder.push_back(least);
     for (std::uint32_t times = 2; times <= finest; times *= 2) {
@@ -45,13 +45,19 @@ RowSelector::RowSelector(const Tracks& tracks, const std::vector<BonePoints>& po
       ladder_(make_ladder(tracks, finest)),
       candidates_(tracks.bone_count) {}
 
-// From coarse to fine; finer ones than the first without a place above the floor are never needed, and coarser
-// ones than `max` allows are left out by their cost.
-const std::vector<RowSelector::Candidate>& RowSelector::candidates(std::size_t bone, double max) {
+// From coarse to fine, until nothing is to be gained: no place above the floor, and a mean square that does not
+// count.
+const std::vector<RowSelector::Candidate>& RowSelector::candidates(std::size_t bone, const Limits& limits) {
     std::vector<Candidate>& known = candidates_[bone];
+    const double small =
+        std::isfinite(limits.rms)
+            ? 0.1 * limits.rms * limits.rms * places_ / static_cast<double>(candidates_.size())
+            : HUGE_VAL;
     while (known.size() < ladder_.size()) {
-        if (!known.empty() && known.back().profile.max <= max && known.back().profile.count_above(floor_) == 0.0)
-            break;
+        if (!known.empty()) {
+            const Profile& last = known.back().profile;
+            if (last.max <= limits.max && last.count_above(floor_) == 0.0 && last.square_sum <= small) break;
+        }
         const std::uint32_t intervals = ladder_[known.size()];
         Polyline line = fit_polyline(tracks_, bone, intervals);
         Profile profile = profile_of(tracks_, line, bone, points_[bone], reach_, floor_);
@@ -120,51 +126,122 @@ std::optional<RowSelector::Prices> RowSelector::find_prices(const Limits& limits
     return prices;
 }
 
+const Profile& RowSelector::profile(std::size_t bone, const Pick& pick) const {
+    return pick.shared ? *pick.shared : candidates_[bone][pick.candidate].profile;
+}
+
+Limits RowSelector::expected(const std::vector<Pick>& picks) const {
+    Limits out;
+    double square = 0.0;
+    std::vector<const Profile*> profiles;
+    for (std::size_t bone = 0; bone < picks.size(); ++bone) {
+        profiles.push_back(&profile(bone, picks[bone]));
+        out.max = std::max(out.max, profiles.back()->max);
+        square += profiles.back()->square_sum;
+    }
+    out.rms = std::sqrt(square / places_);
+    // The distance that a thousandth of the places lies above.
+    double low = floor_;
+    double high = std::max(out.max, floor_);
+    for (int i = 0; i < 24; ++i) {
+        const double middle = std::sqrt(low * high);
+        double count = 0.0;
+        for (const Profile* one : profiles) count += one->count_above(middle);
+        (count > kShareAbove * places_ ? low : high) = middle;
+    }
+    out.p999 = high;
+    return out;
+}
+
 // A bone that moves like another shares its rows where that is cheaper, errors counted.
-void RowSelector::join_alike(const Limits& limits, const Prices& prices, std::vector<BoneRows>& rows) {
-    std::vector<std::uint32_t> order(rows.size());
+void RowSelector::join_alike(const Limits& limits, const Prices& prices, std::vector<Pick>& picks) const {
+    std::vector<std::uint32_t> order(picks.size());
     for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
     std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return rows[a].interval_count < rows[b].interval_count;
+        return picks[a].candidate < picks[b].candidate;
     });
-    std::vector<bool> is_shared(rows.size());
-    const auto value_of = [&](const Profile& profile, double bytes) {
+    const auto value_of = [&](const Profile& profile) {
         if (profile.max > limits.max) return HUGE_VAL;
-        if (prices.count > 0.0) bytes += prices.count * profile.count_above(limits.p999);
-        return bytes + prices.square * profile.square_sum;
+        const double above = prices.count > 0.0 ? prices.count * profile.count_above(limits.p999) : 0.0;
+        return above + prices.square * profile.square_sum;
     };
     for (const std::uint32_t bone : order) {
-        if (is_shared[bone]) continue;
-        const Candidate& own = candidates_[bone][cheapest(bone, limits, prices)];
-        double least = cost(own, limits, prices);
+        if (picks[bone].is_shared || points_[bone].is_empty()) continue;
+        double least = cost(candidates_[bone][picks[bone].candidate], limits, prices);
         for (const std::uint32_t other : order) {
-            if (other == bone || rows[other].like != animal::kNone || points_[other].is_empty()) continue;
-            if (distance_between(tracks_, other, bone, points_[bone], reach_, 2.0 * limits.max) >
-                2.0 * limits.max)
-                continue;
-            const Polyline& line = candidates_[other][cheapest(other, limits, prices)].line;
-            const double value =
-                value_of(profile_of(tracks_, line, bone, points_[bone], reach_, floor_), 0.0);
+            if (other == bone || picks[other].like != animal::kNone || points_[other].is_empty()) continue;
+            const double far = 2.0 * limits.max;
+            if (distance_between(tracks_, other, bone, points_[bone], reach_, far) > far) continue;
+            const Polyline& line = candidates_[other][picks[other].candidate].line;
+            const Profile shared = profile_of(tracks_, line, bone, points_[bone], reach_, floor_);
+            const double value = value_of(shared);
             if (value >= least) continue;
             least = value;
-            rows[bone].like = other;
+            picks[bone].like = other;
+            picks[bone].shared = shared;
         }
-        if (rows[bone].like != animal::kNone) is_shared[rows[bone].like] = true;
+        if (picks[bone].like != animal::kNone) picks[picks[bone].like].is_shared = true;
     }
 }
 
-std::optional<std::vector<BoneRows>> RowSelector::select(const Limits& limits) {
-    for (std::size_t bone = 0; bone < candidates_.size(); ++bone) {
-        const std::vector<Candidate>& known = candidates(bone, limits.max);
-        if (known.back().profile.max > limits.max) return std::nullopt;
+// Prices leave some room below the limits: it is given to the bones that save most for what they take of it.
+void RowSelector::spend_slack(const Limits& limits, std::vector<Pick>& picks) const {
+    const double count_limit = std::isfinite(limits.p999) ? kShareAbove * places_ : HUGE_VAL;
+    const double square_limit = std::isfinite(limits.rms) ? limits.rms * limits.rms * places_ : HUGE_VAL;
+    const auto count_of = [&](const Profile& p) {
+        return std::isfinite(limits.p999) ? p.count_above(limits.p999) : 0.0;
+    };
+    double count = 0.0, square = 0.0;
+    for (std::size_t bone = 0; bone < picks.size(); ++bone) {
+        count += count_of(profile(bone, picks[bone]));
+        square += profile(bone, picks[bone]).square_sum;
     }
+    for (;;) {
+        double best = 0.0;
+        std::size_t best_bone = 0, best_candidate = 0;
+        for (std::size_t bone = 0; bone < picks.size(); ++bone) {
+            const Pick& pick = picks[bone];
+            if (pick.like != animal::kNone || pick.is_shared) continue;
+            const Candidate& now = candidates_[bone][pick.candidate];
+            for (std::size_t i = 0; i < pick.candidate; ++i) {
+                const Candidate& next = candidates_[bone][i];
+                const double more = count_of(next.profile) - count_of(now.profile);
+                const double wider = next.profile.square_sum - now.profile.square_sum;
+                if (next.profile.max > limits.max || count + more > count_limit ||
+                    square + wider > square_limit)
+                    continue;
+                const double taken = std::max({more / count_limit, wider / square_limit, 1e-9});
+                const double worth = (now.interval_count - next.interval_count) / taken;
+                if (worth <= best) continue;
+                best = worth;
+                best_bone = bone;
+                best_candidate = i;
+            }
+        }
+        if (best <= 0.0) return;
+        const Profile& before = profile(best_bone, picks[best_bone]);
+        const Profile& after = candidates_[best_bone][best_candidate].profile;
+        count += count_of(after) - count_of(before);
+        square += after.square_sum - before.square_sum;
+        picks[best_bone].candidate = best_candidate;
+    }
+}
+
+std::optional<Selection> RowSelector::select(const Limits& limits) {
+    for (std::size_t bone = 0; bone < candidates_.size(); ++bone)
+        if (candidates(bone, limits).back().profile.max > limits.max) return std::nullopt;
     const std::optional<Prices> prices = find_prices(limits);
     if (!prices) return std::nullopt;
-    std::vector<BoneRows> rows(candidates_.size());
-    for (std::size_t bone = 0; bone < rows.size(); ++bone)
-        rows[bone].interval_count = candidates_[bone][cheapest(bone, limits, *prices)].interval_count;
-    join_alike(limits, *prices, rows);
-    return rows;
+    std::vector<Pick> picks(candidates_.size());
+    for (std::size_t bone = 0; bone < picks.size(); ++bone)
+        picks[bone].candidate = cheapest(bone, limits, *prices);
+    join_alike(limits, *prices, picks);
+    spend_slack(limits, picks);
+    Selection out;
+    out.expected = expected(picks);
+    for (std::size_t bone = 0; bone < picks.size(); ++bone)
+        out.rows.push_back({candidates_[bone][picks[bone].candidate].interval_count, picks[bone].like});
+    return out;
 }
 
 const Polyline& RowSelector::line(std::size_t bone, std::uint32_t interval_count) {

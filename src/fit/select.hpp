@@ -21,6 +21,13 @@ struct BoneRows {
     std::uint32_t like = animal::kNone;  // another bone, which has rows of its own
 };
 
+// Rows of every bone, and what single bones tell of their error: those of several bones on one vertex are taken
+// as if each were alone.
+struct Selection {
+    std::vector<BoneRows> rows;
+    Limits expected;
+};
+
 // Looks for rows under changing limits; what was fitted and measured is kept.
 class RowSelector {
  public:
@@ -30,9 +37,8 @@ class RowSelector {
     RowSelector(const Tracks& tracks, const std::vector<BonePoints>& points, std::size_t point_count,
                 std::uint32_t row_bytes, double reach, double floor, std::uint32_t finest);
 
-    // The cheapest rows that keep the limits, as far as single bones tell: errors of several bones on one
-    // vertex are taken as if each were alone. Nothing where the finest rows are not enough.
-    std::optional<std::vector<BoneRows>> select(const Limits& limits);
+    // The cheapest rows whose expected errors keep the limits. Nothing where the finest rows are not enough.
+    std::optional<Selection> select(const Limits& limits);
 
     // The polyline that select() means by so many intervals.
     const Polyline& line(std::size_t bone, std::uint32_t interval_count);
@@ -46,7 +52,17 @@ class RowSelector {
     struct Prices {
         double count, square;  // bytes for a place above p99.9, and for a unit of square
     };
-    const std::vector<Candidate>& candidates(std::size_t bone, double max);
+    // What a bone takes: a candidate of its own, or another bone's line with the profile it has under that.
+    struct Pick {
+        std::size_t candidate = 0;
+        std::uint32_t like = animal::kNone;
+        std::optional<Profile> shared;
+        bool is_shared = false;  // others read its rows
+    };
+    const std::vector<Candidate>& candidates(std::size_t bone, const Limits& limits);
+    const Profile& profile(std::size_t bone, const Pick& pick) const;
+    Limits expected(const std::vector<Pick>& picks) const;
+    void spend_slack(const Limits& limits, std::vector<Pick>& picks) const;
     double cost(const Candidate& candidate, const Limits& limits, const Prices& prices) const;
     std::size_t cheapest(std::size_t bone, const Limits& limits, const Prices& prices) const;
     struct Totals {
@@ -54,7 +70,7 @@ class RowSelector {
     };
     Totals totals(const Limits& limits, const Prices& prices) const;
     std::optional<Prices> find_prices(const Limits& limits) const;
-    void join_alike(const Limits& limits, const Prices& prices, std::vector<BoneRows>& rows);
+    void join_alike(const Limits& limits, const Prices& prices, std::vector<Pick>& picks) const;
 
     const Tracks& tracks_;
     const std::vector<BonePoints>& points_;
