@@ -79,8 +79,8 @@ std::vector<fit::Limits> clip_limits(const recipe::AnimalEntry& entry, const std
 }
 
 base::Status plan_clips(const Animal& animal, const std::vector<ClipChoice>& choices,
-                        const std::vector<fit::Limits>& bounds,
-                        const motion::SkinSet& points, Palette& palette, std::vector<Issue>& findings) {
+                        const std::vector<fit::Limits>& bounds, const motion::SkinSet& points,
+                        Palette& palette, std::vector<Issue>& findings) {
     std::uint64_t rows = 0;
     for (std::size_t c = 0; c < choices.size(); ++c) {
         const ClipChoice& choice = choices[c];
@@ -200,7 +200,8 @@ base::Status check_seam_gaps(const Animal& animal, const Palette& palette) {
 }
 
 base::Result<Palette> make_palette(const recipe::AnimalEntry& entry, const Animal& animal,
-                                   const motion::SkinSet& points, std::vector<Issue>& findings) {
+                                   const motion::SkinSet& points, std::vector<Issue>& findings,
+                                   std::vector<std::vector<Attempt>>& attempts) {
     auto choices = select_clips(animal, entry);
     if (!choices) return choices.issue();
     auto states = choose_states(animal, entry, choices.value());
@@ -227,7 +228,8 @@ base::Result<Palette> make_palette(const recipe::AnimalEntry& entry, const Anima
         const std::uint8_t texel_format = entry.output.texel_format == recipe::TexelFormat::rgba16f
                                               ? POSEPACK_TEXEL_RGBA16F
                                               : POSEPACK_TEXEL_RGBA32F;
-        if (auto status = choose_palette_rows(animal, points, bounds, texel_format, aids, palette); !status)
+        if (auto status = choose_palette_rows(animal, points, bounds, texel_format, aids, palette, attempts);
+            !status)
             return status.issue();
         if (auto status = check_seam_gaps(animal, palette); !status) return status.issue();
         return palette;
@@ -269,7 +271,8 @@ base::Result<BakedAnimal> bake_animal(const recipe::AnimalEntry& entry, std::spa
         baked.findings.push_back(base::at(entry.model, finding));
     const motion::SkinSet points = motion::unique_points(animal.value());
     std::vector<Issue> remarks;
-    auto palette = make_palette(entry, animal.value(), points, remarks);
+    std::vector<std::vector<Attempt>> attempts;
+    auto palette = make_palette(entry, animal.value(), points, remarks, attempts);
     if (!palette) return base::at(entry.id, palette.issue());
     for (const Issue& remark : remarks) baked.findings.push_back(base::at(entry.id, remark));
 
@@ -293,6 +296,7 @@ base::Result<BakedAnimal> bake_animal(const recipe::AnimalEntry& entry, std::spa
     baked.measure_s = measure_watch.elapsed_s();
 
     recipe::BakeRecord& record = baked.record;
+    for (std::size_t c = 0; c < attempts.size(); ++c) record.clips[c].tried = tried(attempts[c]);
     record.container_bytes = baked.container.size();
     record.container_sha256 = base::hexadecimal(base::sha256(baked.container));
     record.model_bytes = glb.size();
@@ -300,7 +304,7 @@ base::Result<BakedAnimal> bake_animal(const recipe::AnimalEntry& entry, std::spa
     record.recipe_sha256 = base::hexadecimal(
         base::sha256({reinterpret_cast<const std::uint8_t*>(recipe.data()), recipe.size()}));
     for (const Issue& finding : baked.findings) record.remarks.push_back(base::format_issue(finding));
-    if (options.compare_vat) {
+    if (options.compare_vat && !palette.value().has_runs()) {
         record.has_vram = true;
         record.vram = vram_of(record.row_count, record.bone_count, record.vertex_count);
     }

@@ -22,9 +22,9 @@ using fit::Limits;
 using palette::ClipError;
 using palette::PaletteClip;
 
-constexpr int kMostTries = 8;        // of one fineness
+constexpr int kMostTries = 8;          // of one fineness
 constexpr double kCloseEnough = 0.98;  // of the bound: not worth another try
-constexpr double kRounding = 3e-4;   // of R: what rounding adds to the largest error
+constexpr double kRounding = 3e-4;     // of R: what rounding adds to the largest error
 constexpr double kShortestReal = 0.75;
 
 struct Fineness {
@@ -55,8 +55,8 @@ Limits corrected(const Limits& bound, const Limits& expected, const ClipError& f
             turn(bound.rms, expected.rms, found.rms)};
 }
 
-// Looks for the widest limits whose rows keep the bound, as multiples of the same: between the widest that kept
-// it and the narrowest that did not.
+// Looks for the widest limits whose rows keep the bound, as multiples of the same: between the widest that
+// kept it and the narrowest that did not.
 class Search {
  public:
     double scale() const { return scale_; }
@@ -172,8 +172,7 @@ base::Result<ClipError> RowChooser::measure(PaletteClip clip) const {
     one.spaces = palette_.spaces;
     one.radius = palette_.radius;
     one.metres_per_unit = palette_.metres_per_unit;
-    one.dualquat_length =
-        clip.runs.encoding == POSEPACK_ENCODING_DUALQUAT ? palette_.dualquat_length : 0.0f;
+    one.dualquat_length = clip.runs.encoding == POSEPACK_ENCODING_DUALQUAT ? palette_.dualquat_length : 0.0f;
     const std::uint32_t texels = clip.runs.encoding == POSEPACK_ENCODING_DUALQUAT ? 2 : 3;
     const auto layout = palette::runs_layout(
         clip.runs.encoding, palette_.layout.texel_format, static_cast<std::uint32_t>(animal_.bones.size()),
@@ -224,7 +223,6 @@ base::Result<ChosenRows> RowChooser::choose(std::uint32_t index, fit::Form form,
             if (!error) return error.issue();
             const Shares shares = shares_of(error.value(), bound);
             const bool keeps = shares.largest() <= 1.0;
-            if (getenv("PPDBG")) fmt::print(stderr, "{} f{} try {} bytes {} max {:.3g}/{:.3g} p999 {:.3g}/{:.3g} rms {:.3g}/{:.3g} limits {:.3g} {:.3g} {:.3g}\n", source.name, fineness.rows_per_key, attempt, bytes_of(encoded->runs), error.value().max, bound.max, error.value().p999, bound.p999, error.value().rms, bound.rms, limits.max, limits.p999, limits.rms);
             attempts.push_back({encoded->runs.encoding, bytes_of(encoded->runs), error.value().max,
                                 error.value().p999, error.value().rms, keeps});
             if (shares.largest() < nearest_share) {
@@ -259,7 +257,8 @@ base::Result<ChosenRows> RowChooser::choose(std::uint32_t index, fit::Form form,
 
 base::Status choose_palette_rows(const animal::Animal& animal, const motion::SkinSet& points,
                                  const std::vector<Limits>& bounds, std::uint8_t texel_format,
-                                 palette::RoundingAids& aids, palette::Palette& palette) {
+                                 palette::RoundingAids& aids, palette::Palette& palette,
+                                 std::vector<std::vector<Attempt>>& attempts) {
     std::vector<fit::Form> forms;
     double largest_change = 0.0;
     for (const PaletteClip& clip : palette.clips) {
@@ -294,6 +293,7 @@ base::Status choose_palette_rows(const animal::Animal& animal, const motion::Ski
     for (std::uint32_t c = 0; c < palette.clips.size(); ++c) {
         PaletteClip& clip = palette.clips[c];
         clip.runs = std::move(chosen[c].runs);
+        attempts.push_back(std::move(chosen[c].attempts));
         clip.bounds = chosen[c].bounds;
         clip.closing_row = false;
         clip.first_row = next_row;
@@ -305,9 +305,9 @@ base::Status choose_palette_rows(const animal::Animal& animal, const motion::Ski
         texels += clip.runs.texels.size() / texel_bytes;
         if (clip.runs.encoding != encoding) encoding = POSEPACK_MIXED;
     }
-    const auto layout = palette::runs_layout(
-        encoding, texel_format, static_cast<std::uint32_t>(animal.bones.size()), next_row, texels,
-        posepack_encoding_texels(palette.clips.back().runs.encoding));
+    const auto layout =
+        palette::runs_layout(encoding, texel_format, static_cast<std::uint32_t>(animal.bones.size()),
+                             next_row, texels, posepack_encoding_texels(palette.clips.back().runs.encoding));
     if (!layout) return layout.issue();
     palette.layout = layout.value();
     return {};

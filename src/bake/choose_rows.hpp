@@ -17,8 +17,8 @@
 
 namespace posepack::bake {
 
-// One try: what it was, its size and its measured error. The last that keeps the bound with the fewest bytes is
-// taken.
+// One try: what it was, its size and its measured error. The last that keeps the bound with the fewest bytes
+// is taken.
 struct Attempt {
     std::uint8_t encoding = 0;
     std::uint64_t bytes = 0;  // of bone-rows and entries
@@ -49,7 +49,7 @@ class RowChooser {
  private:
     base::Result<palette::ClipError> measure(palette::PaletteClip clip) const;
     std::optional<ChosenRows> encode(const fit::Tracks& tracks, fit::RowSelector& selector,
-                                      std::vector<fit::BoneRows> rows) const;
+                                     std::vector<fit::BoneRows> rows) const;
     void give_weightless_rows(std::vector<fit::BoneRows>& rows) const;
 
     const animal::Animal& animal_;
@@ -66,10 +66,12 @@ class RowChooser {
 // bones of a clip turn and scale evenly, else matrices. Sets runs, bounds, first rows, the length of dual
 // quaternions and the layout.
 //   bounds  one a clip
+//   attempts  receives what was tried for each clip
 //   aids  for rounding; the length of dual quaternions is set
 // Errors: E-LIM-BOUND, E-LIM-ROWS, E-LIM-CONTAINER, those of measure_error.
 base::Status choose_palette_rows(const animal::Animal& animal, const motion::SkinSet& points,
                                  const std::vector<fit::Limits>& bounds, std::uint8_t texel_format,
-                                 palette::RoundingAids& aids, palette::Palette& palette);
+                                 palette::RoundingAids& aids, palette::Palette& palette,
+                                 std::vector<std::vector<Attempt>>& attempts);
 
 }  // namespace posepack::bake

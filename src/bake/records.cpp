@@ -33,7 +33,7 @@ recipe::ErrorRecord error_record(const palette::ClipError& error, const animal::
 std::string_view runs_encoding(std::uint8_t encoding) {
     if (encoding == POSEPACK_MIXED) return "mixed";
     return recipe::name_of(encoding == POSEPACK_ENCODING_DUALQUAT ? recipe::Encoding::dualquat
-                                                          : recipe::Encoding::affine);
+                                                                  : recipe::Encoding::affine);
 }
 
 }  // namespace
@@ -44,7 +44,9 @@ recipe::BakeRecord describe(const recipe::AnimalEntry& entry, const animal::Anim
     record.id = entry.id;
     record.container = entry.id + ".posepack";
     record.model = entry.model;
-    record.encoding = palette.has_runs() ? runs_encoding(palette.layout.encoding) : recipe::name_of(entry.output.encoding);
+    record.encoding =
+        palette.has_runs() ? runs_encoding(palette.layout.encoding) : recipe::name_of(entry.output.encoding);
+    record.row_scheme = palette.has_runs() ? "runs" : "uniform";
     record.texel_format = name_of(entry.output.texel_format);
     record.texel_order = name_of(entry.output.texel_order);
     record.bone_count = palette.layout.bone_count;
@@ -70,6 +72,7 @@ recipe::BakeRecord describe(const recipe::AnimalEntry& entry, const animal::Anim
         out.interpolation = clip.plan.step ? "step" : "linear";
         out.seam_gap = static_cast<float>(clip.plan.seam_gap);
         out.speed_mps = static_cast<float>(clip.speed_mps);
+        out.encoding = has_runs ? runs_encoding(clip.runs.encoding) : name_of(entry.output.encoding);
         if (stats != nullptr) out.error = error_record(stats->clips[c], animal, palette);
         record.clips.push_back(std::move(out));
     }
@@ -82,6 +85,14 @@ recipe::BakeRecord describe(const recipe::AnimalEntry& entry, const animal::Anim
         record.error.clip = record.clips[stats->worst_clip].name;
     }
     return record;
+}
+
+std::vector<recipe::TryRecord> tried(const std::vector<Attempt>& attempts) {
+    std::vector<recipe::TryRecord> out;
+    for (const Attempt& one : attempts)
+        out.push_back({std::string(runs_encoding(one.encoding)), one.bytes, one.max, one.p999, one.rms,
+                       one.keeps_bound});
+    return out;
 }
 
 recipe::VramRecord vram_of(std::uint64_t row_count, std::uint64_t bone_count, std::uint64_t vertex_count) {

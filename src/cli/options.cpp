@@ -111,6 +111,14 @@ void add_output_options(CLI::App& app, const std::shared_ptr<bake::CatalogSource
                {RowPitch::tight, RowPitch::align256});
     add_choice(app, "--caps", "Largest texture: 4096 or 16384 texels a side", source,
                &recipe::OutputOverrides::caps, {Caps::webgl2, Caps::desktop});
+    app.add_option("--rate", source->rate_hz,
+                   "Rows a second for every clip (default: each clip's own key grid)")
+        ->check(number_between(1.0, 1000.0))
+        ->group("Output")
+        ->type_name("HZ");
+}
+
+void add_bound_options(CLI::App& app, const std::shared_ptr<bake::CatalogSource>& source) {
     app.add_option_function<std::string>(
            "--max-error",
            [source](const std::string& text) {
@@ -130,11 +138,6 @@ void add_output_options(CLI::App& app, const std::shared_ptr<bake::CatalogSource
     add_limit(app, "--p999-error", "of 99.9 % of the errors, instead of a quarter", source,
               &recipe::ErrorBound::p999);
     add_limit(app, "--rms-error", "of their root mean square", source, &recipe::ErrorBound::rms);
-    app.add_option("--rate", source->rate_hz,
-                   "Rows a second for every clip (default: each clip's own key grid)")
-        ->check(number_between(1.0, 1000.0))
-        ->group("Output")
-        ->type_name("HZ");
 }
 
 void add_format_option(CLI::App& app, const std::shared_ptr<Format>& format, bool with_csv) {

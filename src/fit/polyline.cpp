@@ -80,8 +80,8 @@ void solve(Normal& normal) {
     }
     if (normal.corner == 0.0)
         return solve_tridiagonal(normal.diagonal, normal.above, normal.right, normal.columns);
-    // Sherman and Morrison: the corners as a matrix of rank one, u u' / gamma (Press et al., Numerical Recipes,
-    // section 2.7).
+    // Sherman and Morrison: the corners as a matrix of rank one, u u' / gamma (Press et al., Numerical
+    // Recipes, section 2.7).
     const double gamma = -normal.diagonal[0];
     std::vector<double> diagonal = normal.diagonal;
     diagonal[0] -= gamma;
@@ -94,15 +94,14 @@ void solve(Normal& normal) {
     const double ratio = normal.corner / gamma;
     const double scale = 1.0 / (1.0 + u[0] + ratio * u[n - 1]);
     for (std::size_t c = 0; c < normal.columns; ++c) {
-        const double share =
-            scale * (normal.right[c] + ratio * normal.right[(n - 1) * normal.columns + c]);
+        const double share = scale * (normal.right[c] + ratio * normal.right[(n - 1) * normal.columns + c]);
         for (std::size_t i = 0; i < n; ++i) normal.right[i * normal.columns + c] -= share * u[i];
     }
 }
 
 // Columns [first, last) of the track, which close with `sign` of their first row when it is a loop.
 void fit_columns(const Tracks& tracks, std::size_t bone, std::size_t first, std::size_t last, double sign,
-                 Polyline& line) {
+                 std::span<const float> weights, Polyline& line) {
     const std::uint32_t intervals = line.interval_count;
     const std::size_t width = numbers_of(tracks.form);
     const std::size_t rows = std::size_t{intervals} + (tracks.loop ? 0 : 1);
@@ -113,7 +112,9 @@ void fit_columns(const Tracks& tracks, std::size_t bone, std::size_t first, std:
     normal.right.assign(rows * normal.columns, 0.0);
     const std::size_t samples = tracks.loop ? tracks.interval_count : tracks.sample_count();
     for (std::size_t k = 0; k < samples; ++k) {
-        const double weight = k < tracks.known_count ? 1.0 : kUnknownWeight;
+        const double weight = k >= tracks.known_count ? kUnknownWeight
+                              : weights.empty()       ? 1.0
+                                                      : static_cast<double>(weights[k]);
         const Place place = place_of(tracks.phase(k), intervals);
         const bool wraps = tracks.loop && place.row + 1 == intervals;
         const std::size_t next = wraps ? 0 : place.row + 1;
@@ -141,8 +142,8 @@ void fit_columns(const Tracks& tracks, std::size_t bone, std::size_t first, std:
     }
     for (std::size_t row = 0; row <= intervals; ++row)
         for (std::size_t c = 0; c < normal.columns; ++c)
-            line.rows[row * width + first + c] = row < rows ? normal.right[row * normal.columns + c]
-                                                            : sign * normal.right[c];
+            line.rows[row * width + first + c] =
+                row < rows ? normal.right[row * normal.columns + c] : sign * normal.right[c];
 }
 
 void hold_means(const Tracks& tracks, std::size_t bone, Polyline& line) {
@@ -150,7 +151,8 @@ void hold_means(const Tracks& tracks, std::size_t bone, Polyline& line) {
     std::vector<double> counts(line.interval_count + std::size_t{1}, 0.0);
     for (std::size_t k = 0; k < tracks.known_count; ++k) {
         const bool is_end = k == tracks.interval_count;
-        const std::size_t row = is_end ? line.interval_count : place_of(tracks.phase(k), line.interval_count).row;
+        const std::size_t row =
+            is_end ? line.interval_count : place_of(tracks.phase(k), line.interval_count).row;
         counts[row] += 1.0;
         for (std::size_t c = 0; c < width; ++c)
             line.rows[row * width + c] += static_cast<double>(tracks.numbers_at(bone, k)[c]);
@@ -176,7 +178,8 @@ void mean_pose(const Tracks& tracks, std::size_t bone, Polyline& line) {
 
 }  // namespace
 
-Polyline fit_polyline(const Tracks& tracks, std::size_t bone, std::uint32_t interval_count) {
+Polyline fit_polyline(const Tracks& tracks, std::size_t bone, std::uint32_t interval_count,
+                      std::span<const float> weights) {
     const std::size_t width = numbers_of(tracks.form);
     Polyline line;
     line.interval_count = tracks.interval_count == 0 ? 0 : interval_count;
@@ -186,10 +189,10 @@ Polyline fit_polyline(const Tracks& tracks, std::size_t bone, std::uint32_t inte
     else if (tracks.step)
         hold_means(tracks, bone, line);
     else if (tracks.loop && tracks.turned[bone]) {
-        fit_columns(tracks, bone, 0, 8, -1.0, line);
-        fit_columns(tracks, bone, 8, width, 1.0, line);
+        fit_columns(tracks, bone, 0, 8, -1.0, weights, line);
+        fit_columns(tracks, bone, 8, width, 1.0, weights, line);
     } else {
-        fit_columns(tracks, bone, 0, width, 1.0, line);
+        fit_columns(tracks, bone, 0, width, 1.0, weights, line);
     }
     return line;
 }

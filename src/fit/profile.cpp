@@ -88,8 +88,9 @@ std::vector<BonePoints> bone_points(const motion::SkinSet& points, const palette
                 const std::size_t bone = points.bones[i][k];
                 const auto& v = points.vectors[i];
                 const glm::dvec3 p = spaces.bone_entry(bone) * glm::dvec3(v[0], v[1], v[2]);
-                all[bone].push_back({{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)},
-                                     points.weights[i][k]});
+                all[bone].push_back(
+                    {{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)},
+                     points.weights[i][k]});
             }
     std::vector<BonePoints> out;
     for (const auto& influences : all) out.push_back(choose_points(influences));
@@ -118,7 +119,7 @@ double Profile::count_above(double distance) const {
 }
 
 Profile profile_of(const Tracks& tracks, const Polyline& line, std::size_t bone, const BonePoints& points,
-                   double reach, double floor) {
+                   double reach, double floor, std::vector<float>* sample_errors) {
     Profile profile(floor);
     if (points.is_empty()) return profile;
     const auto scale = static_cast<float>(1.0 / reach);
@@ -134,7 +135,10 @@ Profile profile_of(const Tracks& tracks, const Polyline& line, std::size_t bone,
         for (std::size_t i = 0; i < 12; ++i) found[i] -= exact[i];
         squares_of(found.data(), points, scale, squares.data());
         for (std::size_t i = 0; i < points.counted; ++i) profile.add(squares[i], points.share);
-        for (const float square : squares) max = std::max(max, square);
+        float largest = 0.0f;
+        for (const float square : squares) largest = std::max(largest, square);
+        if (sample_errors != nullptr) sample_errors->push_back(std::sqrt(largest));
+        max = std::max(max, largest);
     }
     profile.max = std::sqrt(static_cast<double>(max));
     return profile;

@@ -13,8 +13,8 @@
 
 namespace posepack::fit {
 
-// Some of the vertices of one bone, in palette space, with their weights on it: its outermost ones, and others
-// that stand for all.
+// Some of the vertices of one bone, in palette space, with their weights on it: its outermost ones, and
+// others that stand for all.
 struct BonePoints {
     std::vector<float> x, y, z, weight;
     std::size_t counted = 0;  // the first ones, which stand for all
@@ -43,14 +43,15 @@ class Profile {
     std::array<double, kBins> counts_{};
 };
 
-// The profile of a polyline for the vertices of `bone`, whose exact motion is in `tracks`. The polyline may be
-// another bone's.
+// The profile of a polyline for the vertices of `bone`, whose exact motion is in `tracks`. The polyline may
+// be another bone's.
+//   sample_errors  receives the largest distance at each known sample
 //   reach  R in units of palette space: distances are told as fractions of it
 Profile profile_of(const Tracks& tracks, const Polyline& line, std::size_t bone, const BonePoints& points,
-                   double reach, double floor);
+                   double reach, double floor, std::vector<float>* sample_errors = nullptr);
 
-// How far two bones carry the vertices of the second apart, at a few samples, fraction of R: nothing where they
-// move alike. Stops above `enough`.
+// How far two bones carry the vertices of the second apart, at a few samples, fraction of R: nothing where
+// they move alike. Stops above `enough`.
 double distance_between(const Tracks& tracks, std::size_t first, std::size_t second, const BonePoints& points,
                         double reach, double enough);
 

@@ -32,6 +32,17 @@ std::vector<std::uint32_t> make_ladder(const Tracks& tracks, std::uint32_t fines
     return ladder;
 }
 
+// Where only the large errors are limited, samples that a first fit leaves far off weigh more in a second.
+std::vector<float> weights_of(const std::vector<float>& errors, double p999) {
+    constexpr double kLargest = 25.0;
+    std::vector<float> weights;
+    for (const float error : errors) {
+        const double share = static_cast<double>(error) / p999;
+        weights.push_back(static_cast<float>(1.0 + std::min(share * share, kLargest)));
+    }
+    return weights;
+}
+
 }  // namespace
 
 RowSelector::RowSelector(const Tracks& tracks, const std::vector<BonePoints>& points, std::size_t point_count,
@@ -45,14 +56,13 @@ RowSelector::RowSelector(const Tracks& tracks, const std::vector<BonePoints>& po
       ladder_(make_ladder(tracks, finest)),
       candidates_(tracks.bone_count) {}
 
-// From coarse to fine, until nothing is to be gained: no place above the floor, and a mean square that does not
-// count.
+// From coarse to fine, until nothing is to be gained: no place above the floor, and a mean square that does
+// not count.
 const std::vector<RowSelector::Candidate>& RowSelector::candidates(std::size_t bone, const Limits& limits) {
     std::vector<Candidate>& known = candidates_[bone];
-    const double small =
-        std::isfinite(limits.rms)
-            ? 0.1 * limits.rms * limits.rms * places_ / static_cast<double>(candidates_.size())
-            : HUGE_VAL;
+    const double small = std::isfinite(limits.rms) ? 0.1 * limits.rms * limits.rms * places_ /
+                                                         static_cast<double>(candidates_.size())
+                                                   : HUGE_VAL;
     while (known.size() < ladder_.size()) {
         if (!known.empty()) {
             const Profile& last = known.back().profile;
@@ -60,7 +70,12 @@ const std::vector<RowSelector::Candidate>& RowSelector::candidates(std::size_t b
         }
         const std::uint32_t intervals = ladder_[known.size()];
         Polyline line = fit_polyline(tracks_, bone, intervals);
-        Profile profile = profile_of(tracks_, line, bone, points_[bone], reach_, floor_);
+        std::vector<float> errors;
+        Profile profile = profile_of(tracks_, line, bone, points_[bone], reach_, floor_, &errors);
+        if (!std::isfinite(limits.rms) && intervals > 0 && profile.max > floor_) {
+            line = fit_polyline(tracks_, bone, intervals, weights_of(errors, limits.p999));
+            profile = profile_of(tracks_, line, bone, points_[bone], reach_, floor_);
+        }
         known.push_back({intervals, std::move(line), profile});
     }
     return known;
@@ -98,8 +113,7 @@ RowSelector::Totals RowSelector::totals(const Limits& limits, const Prices& pric
 // The lowest prices under which what is cheapest keeps the limits: each by bisection, in turn.
 std::optional<RowSelector::Prices> RowSelector::find_prices(const Limits& limits) const {
     const double count_limit = std::isfinite(limits.p999) ? kShareAbove * places_ : HUGE_VAL;
-    const double square_limit =
-        std::isfinite(limits.rms) ? limits.rms * limits.rms * places_ : HUGE_VAL;
+    const double square_limit = std::isfinite(limits.rms) ? limits.rms * limits.rms * places_ : HUGE_VAL;
     Prices prices{0.0, 0.0};
     const auto settle = [&](double Prices::*price, double smallest, auto is_kept) {
         prices.*price = 0.0;

@@ -21,8 +21,8 @@ struct BoneRows {
     std::uint32_t like = animal::kNone;  // another bone, which has rows of its own
 };
 
-// Rows of every bone, and what single bones tell of their error: those of several bones on one vertex are taken
-// as if each were alone.
+// Rows of every bone, and what single bones tell of their error: those of several bones on one vertex are
+// taken as if each were alone.
 struct Selection {
     std::vector<BoneRows> rows;
     Limits expected;

@@ -62,8 +62,7 @@ Tracks sample_tracks(const animal::Animal& animal, const animal::Clip& clip, con
     tracks.step = plan.step;
     tracks.bone_count = static_cast<std::uint32_t>(animal.bones.size());
     if (plan.period_s > 0.0) {
-        tracks.key_intervals =
-            tracks.loop ? plan.row_count : std::max<std::uint32_t>(1, plan.row_count - 1);
+        tracks.key_intervals = tracks.loop ? plan.row_count : std::max<std::uint32_t>(1, plan.row_count - 1);
         const std::uint32_t least = (kFewestIntervals + tracks.key_intervals - 1) / tracks.key_intervals;
         tracks.interval_count = tracks.key_intervals * std::max(per_key, least);
     }

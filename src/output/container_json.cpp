@@ -209,6 +209,8 @@ std::string space_json(const posepack_view& view) {
 
 std::string encoding_name(std::uint32_t encoding) {
     switch (encoding) {
+        case POSEPACK_MIXED:
+            return "mixed";
         case POSEPACK_ENCODING_MAT4:
             return "mat4";
         case POSEPACK_ENCODING_AFFINE:

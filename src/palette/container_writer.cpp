@@ -192,8 +192,8 @@ std::vector<std::uint8_t> run_pixels(const Palette& palette) {
     pixels.reserve(static_cast<std::size_t>(palette.layout.pixel_bytes()));
     for (const PaletteClip& clip : palette.clips)
         pixels.insert(pixels.end(), clip.runs.texels.begin(), clip.runs.texels.end());
-    const std::size_t row_bytes =
-        std::size_t{posepack_encoding_texels(palette.clips.back().runs.encoding)} * palette.layout.texel_bytes;
+    const std::size_t row_bytes = std::size_t{posepack_encoding_texels(palette.clips.back().runs.encoding)} *
+                                  palette.layout.texel_bytes;
     while (pixels.size() < palette.layout.pixel_bytes()) pixels.push_back(pixels[pixels.size() - row_bytes]);
     return pixels;
 }
@@ -325,11 +325,11 @@ std::vector<std::uint8_t> write_container(const Animal& animal, const Palette& p
     const auto pixels = palette.has_runs() ? run_pixels(palette) : std::vector<std::uint8_t>{};
     const std::span<const std::uint8_t> texels = palette.has_runs() ? pixels : palette.pixels;
     std::vector<Section> sections = {{POSEPACK_SECTION_CLIP, POSEPACK_TABLE_ALIGN_LOG2, clips},
-                                {POSEPACK_SECTION_STAT, POSEPACK_TABLE_ALIGN_LOG2, states},
-                                {POSEPACK_SECTION_BONE, POSEPACK_TABLE_ALIGN_LOG2, bones},
-                                {POSEPACK_SECTION_SPAC, POSEPACK_TABLE_ALIGN_LOG2, space},
-                                {POSEPACK_SECTION_STRS, POSEPACK_TABLE_ALIGN_LOG2, texts},
-                                {POSEPACK_SECTION_PIXL, POSEPACK_PIXL_ALIGN_LOG2, texels}};
+                                     {POSEPACK_SECTION_STAT, POSEPACK_TABLE_ALIGN_LOG2, states},
+                                     {POSEPACK_SECTION_BONE, POSEPACK_TABLE_ALIGN_LOG2, bones},
+                                     {POSEPACK_SECTION_SPAC, POSEPACK_TABLE_ALIGN_LOG2, space},
+                                     {POSEPACK_SECTION_STRS, POSEPACK_TABLE_ALIGN_LOG2, texts},
+                                     {POSEPACK_SECTION_PIXL, POSEPACK_PIXL_ALIGN_LOG2, texels}};
     if (palette.has_runs()) sections.push_back({POSEPACK_SECTION_RUNS, POSEPACK_TABLE_ALIGN_LOG2, runs});
     sections.push_back({POSEPACK_SECTION_PROV, POSEPACK_TABLE_ALIGN_LOG2, recipe});
     ByteWriter out;

@@ -55,8 +55,8 @@ bool RunEncoder::add_affine(std::size_t bone, std::span<const motion::Affine> ro
         else
             for (int i = 0; i < 3; ++i)
                 for (int c = 0; c < 4; ++c)
-                    out[static_cast<std::size_t>(4 * i + c)] = static_cast<float>(
-                        c < 3 ? rows[r].linear[c][i] : rows[r].translation[i]);
+                    out[static_cast<std::size_t>(4 * i + c)] =
+                        static_cast<float>(c < 3 ? rows[r].linear[c][i] : rows[r].translation[i]);
     }
     return store(bone, numbers, rows.size());
 }
@@ -100,8 +100,8 @@ void RunEncoder::write_matrix(std::size_t bone, std::uint32_t interval, float fa
     }
 }
 
-// Interval j of every bone at once: bones with fewer stay in their last. Which bone is where at what time does
-// not matter to the bounds.
+// Interval j of every bone at once: bones with fewer stay in their last. Which bone is where at what time
+// does not matter to the bounds.
 void RunEncoder::grow_bounds(const BoneBoxes& boxes, Box& box) const {
     std::uint32_t longest = 1;
     for (const Run& run : runs_) longest = std::max(longest, run.interval_count);
@@ -152,9 +152,9 @@ base::Result<Layout> runs_layout(std::uint8_t encoding, std::uint8_t texel_forma
     layout.encoding = encoding;
     layout.texel_format = texel_format;
     layout.texel_order = POSEPACK_ORDER_BONE_MAJOR;
-    layout.texels_per_bone =
-        encoding == POSEPACK_MIXED ? std::uint8_t{POSEPACK_MIXED}
-                                   : static_cast<std::uint8_t>(posepack_encoding_texels(encoding));
+    layout.texels_per_bone = encoding == POSEPACK_MIXED
+                                 ? std::uint8_t{POSEPACK_MIXED}
+                                 : static_cast<std::uint8_t>(posepack_encoding_texels(encoding));
     layout.texel_bytes = posepack_texel_bytes(texel_format);
     layout.bone_count = bone_count;
     layout.row_count = row_count;

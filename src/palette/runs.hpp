@@ -55,8 +55,8 @@ class RunEncoder {
     struct Run {
         std::uint32_t first_row = 0, interval_count = 0;
     };
-    std::vector<Run> runs_;            // of every bone
-    std::vector<float> numbers_;       // of every bone-row, as a reader sees them
+    std::vector<Run> runs_;       // of every bone
+    std::vector<float> numbers_;  // of every bone-row, as a reader sees them
 };
 
 // The geometry of a texture that holds `texel_count` texels of runs and one bone-row of `last_texels` behind

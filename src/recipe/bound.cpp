@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace posepack::recipe {
 namespace {
@@ -61,6 +62,15 @@ std::optional<ErrorBound> parse_error_bound(std::string_view text) {
     const auto limit = parse_error_limit(text);
     if (!limit) return std::nullopt;
     return ErrorBound{*limit, ErrorLimit{0.25 * limit->value, limit->in_metres}, {}};
+}
+
+std::string bound_json(const ErrorBound& bound) {
+    const auto limit = [](const std::optional<ErrorLimit>& one) -> nlohmann::json {
+        if (!one) return nullptr;
+        return {{"unit", one->in_metres ? "m" : "R"}, {"value", one->value}};
+    };
+    return nlohmann::json{{"max", limit(bound.max)}, {"p999", limit(bound.p999)}, {"rms", limit(bound.rms)}}
+        .dump();
 }
 
 }  // namespace posepack::recipe

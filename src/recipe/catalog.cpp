@@ -75,9 +75,10 @@ std::optional<ErrorLimit> read_limit(const Value& object, std::string_view key) 
     if (!value->is_text()) return ErrorLimit{value->number(1e-9, 1.0)};
     const auto limit = parse_error_limit(value->text());
     if (!limit)
-        value->fail(IssueCode::cat_value,
-                    fmt::format("expected a fraction of the radius, \"5mm\" or \"1px@20m,1080,60\", found '{}'",
-                                base::printable(value->text())));
+        value->fail(
+            IssueCode::cat_value,
+            fmt::format("expected a fraction of the radius, \"5mm\" or \"1px@20m,1080,60\", found '{}'",
+                        base::printable(value->text())));
     return limit;
 }
 
@@ -94,13 +95,15 @@ void read_bound(const Value& object, std::optional<ErrorBound>* bound) {
                                                           base::printable(value->text())));
         }
     }
-    for (const auto& [key, field] : {std::pair{"p999_error", &ErrorBound::p999}, {"rms_error", &ErrorBound::rms}}) {
+    for (const auto& [key, field] :
+         {std::pair{"p999_error", &ErrorBound::p999}, {"rms_error", &ErrorBound::rms}}) {
         const std::optional<ErrorLimit> limit = read_limit(object, key);
         if (!limit) continue;
         if (*bound)
             (**bound).*field = limit;
         else
-            object.fail(IssueCode::cat_value, fmt::format("expected \"max_error\" beside \"{}\", found none", key));
+            object.fail(IssueCode::cat_value,
+                        fmt::format("expected \"max_error\" beside \"{}\", found none", key));
     }
 }
 
@@ -115,8 +118,9 @@ void read_output(const Value& object, OutputOptions* options) {
     read_bound(*output, &options->bound);
     for (const std::string_view key : {"encoding", "row_pitch", "texel_order"})
         if (output->find("max_error") && output->find(key))
-            output->fail(IssueCode::cat_value,
-                         fmt::format("expected \"max_error\", which chooses the form, or \"{}\", found both", key));
+            output->fail(
+                IssueCode::cat_value,
+                fmt::format("expected \"max_error\", which chooses the form, or \"{}\", found both", key));
     read_choice(*output, "texel_format", &options->texel_format);
     read_choice(*output, "texel_order", &options->texel_order);
     read_choice(*output, "row_pitch", &options->row_pitch);
@@ -175,8 +179,8 @@ ClipWish read_clip(const Value& clip, const Rate& inherited) {
         wish.name = clip.name();
         return wish;
     }
-    clip.expect_object({"max_error", "name", "p999_error", "rate_hz", "rms_error", "seam", "speed_mps", "states",
-                        "stride_phase", "wrap"});
+    clip.expect_object({"max_error", "name", "p999_error", "rate_hz", "rms_error", "seam", "speed_mps",
+                        "states", "stride_phase", "wrap"});
     read_bound(clip, &wish.bound);
     wish.name = clip.need("name").name();
     if (const std::optional<Value> states = clip.find("states")) {
@@ -211,28 +215,21 @@ Json rate_json(const std::optional<double>& rate_hz) {
     return rate_hz ? Json(*rate_hz) : Json("keys");
 }
 
-Json limit_json(const std::optional<ErrorLimit>& limit) {
-    if (!limit) return nullptr;
-    return {{"unit", limit->in_metres ? "m" : "R"}, {"value", limit->value}};
-}
-
-Json bound_json(const std::optional<ErrorBound>& bound) {
-    if (!bound) return nullptr;
-    return {{"max", limit_json(bound->max)}, {"p999", limit_json(bound->p999)}, {"rms", limit_json(bound->rms)}};
+Json bound_of(const std::optional<ErrorBound>& bound) {
+    return bound ? Json::parse(bound_json(*bound)) : Json();
 }
 
 Json clip_json(const ClipWish& wish) {
-    return {{"bound", bound_json(wish.bound)},
-            {"name", wish.name},          {"rate_hz", rate_json(wish.rate_hz)},
-            {"seam", name_of(wish.seam)}, {"speed_mps", wish.speed_mps},
-            {"states", wish.states},      {"stride_phase", wish.stride_phase},
-            {"wrap", name_of(wish.wrap)}};
+    return {{"bound", bound_of(wish.bound)},      {"name", wish.name},
+            {"rate_hz", rate_json(wish.rate_hz)}, {"seam", name_of(wish.seam)},
+            {"speed_mps", wish.speed_mps},        {"states", wish.states},
+            {"stride_phase", wish.stride_phase},  {"wrap", name_of(wish.wrap)}};
 }
 
 std::string canonical(const AnimalEntry& animal) {
     Json clips = Json::array();
     for (const ClipWish& wish : animal.clips) clips.push_back(clip_json(wish));
-    const Json output{{"bound", bound_json(animal.output.bound)},
+    const Json output{{"bound", bound_of(animal.output.bound)},
                       {"caps", name_of(animal.output.caps)},
                       {"encoding", name_of(animal.output.encoding)},
                       {"row_pitch", name_of(animal.output.row_pitch)},

@@ -65,8 +65,8 @@ struct ClipWish {
     std::optional<double> rate_hz;    // settled; nothing: the clip's own key grid
     Wrap wrap = Wrap::automatic;
     Seam seam = Seam::automatic;
-    double speed_mps = 0.0;     // ground speed at rate 1; 0: not stated
-    double stride_phase = 0.0;  // phase of the first foot contact, 0..1
+    double speed_mps = 0.0;           // ground speed at rate 1; 0: not stated
+    double stride_phase = 0.0;        // phase of the first foot contact, 0..1
     std::optional<ErrorBound> bound;  // of this clip alone; needs a bound of the animal
 };
 
