@@ -288,7 +288,7 @@ std::vector<RunCase> texels() {
         {"X8", "tail's last number differs",
          [=](Parts& p) {
              p[kPixl][end - 1] ^= 1;
-             for (std::size_t i = end + 24; i < p[kPixl].size(); ++i) p[kPixl][i] = p[kPixl][i - 24];
+             for (std::size_t i = end; i < p[kPixl].size(); ++i) p[kPixl][i] = p[kPixl][i - 24];
          }},
         {"X8", "an affine closes with all signs turned",
          [=](Parts& p) {
