@@ -29,6 +29,13 @@ RunOptions with_idle_runs(const std::array<std::uint32_t, 3>& runs) {
     return options;
 }
 
+// Every bone of walk keeps still in its only bone-row.
+RunOptions with_still_walk() {
+    RunOptions options = tiny_runs();
+    options.clips[1].runs = {0, 0, 0};
+    return options;
+}
+
 RunOptions turned_walk() {
     RunOptions options = tiny_runs(kDualquat, kDualquat);
     options.clips[1].turned = 2;
@@ -86,9 +93,12 @@ std::vector<RunCase> header_values() {
         {"H9", "length 0 though no clip is a dualquat", header_u32(POSEPACK_HDR_DUALQUAT_LENGTH, 0),
          POSEPACK_ERROR_SEMANTIC, tiny_runs(kMat4, kAffine)},
         {"H9", "a length for affine", header_u32(POSEPACK_HDR_DUALQUAT_LENGTH, kOne)},
-        {"H10", "RUNS beside uniform rows",
+        {"H10", "RUNS beside uniform rows, with which they agree",
          [](Parts& p) {
-             const Section runs = section_of(p, kRuns);
+             Section runs = section_of(p, kRuns);
+             const std::array<std::uint32_t, 6> words = {run_word(0, 0), run_word(1, 0), run_word(2, 0),
+                                                         run_word(0, 3), run_word(4, 3), run_word(8, 3)};
+             for (std::size_t i = 0; i < words.size(); ++i) put_u32(runs.bytes, 4 * i, words.at(i));
              p = make_parts();
              p.sections.push_back(runs);
          }},
@@ -105,6 +115,11 @@ std::vector<RunCase> clips() {
              put_u32(p.header, POSEPACK_HDR_DUALQUAT_LENGTH, 0);
          },
          POSEPACK_ERROR_SEMANTIC, mixed},
+        {"C3", "no clip is like the header",
+         [](Parts& p) {
+             p.header[POSEPACK_HDR_ENCODING] = kMat4;
+             p.header[POSEPACK_HDR_TEXELS_PER_BONE] = 4;
+         }},
         {"C3", "clips that do not differ", mix},
         {"C3", "encoding 0", u8(kClip, kIdle + POSEPACK_CLIP_ENCODING, 0), POSEPACK_ERROR_SEMANTIC, mixed},
         {"C3", "a clip of local", u8(kClip, kWalk + POSEPACK_CLIP_ENCODING, 4), POSEPACK_ERROR_SEMANTIC,
@@ -156,6 +171,14 @@ std::vector<RunCase> runs() {
         {"R3", "the last run begins within and ends behind", nullptr, POSEPACK_ERROR_SEMANTIC,
          with_idle_runs({run_word(0, 2), run_word(3, 0), run_word(1, 3)})},
         {"R3", "far outside", u32(kRuns, 20, 0xFFFFFFFF)},
+        {"R3", "a hole in the last clip, of texels that are all alike",
+         [](Parts& p) {
+             Bytes& pixels = p[kPixl];
+             for (std::size_t i = kAffineRowBytes; i < pixels.size(); ++i)
+                 pixels[i] = pixels[i - kAffineRowBytes];
+             put_u32(p[kRuns], 20, run_word(2, 0));
+         },
+         POSEPACK_ERROR_SEMANTIC, with_still_walk()},
         {"R3", "all rows before it, of two runs", kAsItIs, POSEPACK_OK,
          with_idle_runs({run_word(0, 2), run_word(3, 0), run_word(0, 3)})},
         {"R3", "every bone reads one run", kAsItIs, POSEPACK_OK,
@@ -178,16 +201,19 @@ std::vector<RunCase> runs() {
     };
 }
 
+// Makes the pixels of affine halves so long: longer by what is behind the last bone-row anyway.
+void repeat_last_row(Bytes& pixels, std::size_t size) {
+    while (pixels.size() < size) pixels.push_back(pixels[pixels.size() - kAffineRowBytes]);
+    pixels.resize(size);
+}
+
 // Makes the texture so wide and high, and PIXL as long, its last bone-row repeated.
 std::function<void(Parts&)> texture(std::uint32_t width, std::uint32_t height) {
     return [=](Parts& p) {
         put_u32(p.header, POSEPACK_HDR_TEXTURE_WIDTH, width);
         put_u32(p.header, POSEPACK_HDR_TEXTURE_HEIGHT, height);
         put_u32(p.header, POSEPACK_HDR_ROW_PITCH, width * 8);
-        Bytes& pixels = p[kPixl];
-        const std::size_t size = std::size_t{width} * height * 8;
-        while (pixels.size() < size) pixels.push_back(pixels[pixels.size() - kAffineRowBytes]);
-        pixels.resize(size);
+        repeat_last_row(p[kPixl], std::size_t{width} * height * 8);
     };
 }
 
@@ -254,11 +280,10 @@ std::vector<RunCase> geometry() {
         {"G3", "a line for the row behind the last", kAsItIs, POSEPACK_OK, full_line()},
         {"G4", "a pitch of 256 bytes more",
          [](Parts& p) {
+             repeat_last_row(p[kPixl], 2 * 768);
              put_u32(p.header, POSEPACK_HDR_ROW_PITCH, 768);
-             p[kPixl].insert(p[kPixl].begin() + 512, 256, 0);
-             p[kPixl].resize(2 * 768);
          }},
-        {"G5", "eight bytes too many", resize(kPixl, 8)},
+        {"G5", "eight bytes too many", [](Parts& p) { repeat_last_row(p[kPixl], 2 * 512 + 8); }},
         {"G5", "a line less", resize(kPixl, -512)},
         {"G6", "more than 2^28 bytes of texels", make_huge, POSEPACK_ERROR_SEMANTIC, clips_of_affine(11)},
     };
@@ -300,14 +325,16 @@ std::vector<RunCase> texels() {
 
 std::vector<RunCase> texels_of_mat4() {
     const RunOptions options = tiny_runs(kMat4, kMat4);
-    // The fourth component of texel k of the third row of tail in walk.
-    const auto fourth = [](std::size_t k, std::uint16_t bits) {
-        return u16(kPixl, (kIdleRows + 7) * kMat4RowBytes + 8 * k + 6, bits);
+    // The fourth component of texel k of a bone-row.
+    const auto fourth = [](std::size_t row, std::size_t k, std::uint16_t bits) {
+        return u16(kPixl, row * kMat4RowBytes + 8 * k + 6, bits);
     };
     std::vector<RunCase> cases;
-    for (std::size_t k = 0; k < 4; ++k) {
-        cases.push_back({"X2", "half a unit", fourth(k, 0x3800), POSEPACK_ERROR_SEMANTIC, options});
-        cases.push_back({"X2", "minus zero", fourth(k, 0x8000), POSEPACK_ERROR_SEMANTIC, options});
+    for (const std::size_t row : {std::size_t{0}, std::size_t{2}, std::size_t{3}, kIdleRows + 7}) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            cases.push_back({"X2", "half a unit", fourth(row, k, 0x3800), POSEPACK_ERROR_SEMANTIC, options});
+            cases.push_back({"X2", "minus zero", fourth(row, k, 0x8000), POSEPACK_ERROR_SEMANTIC, options});
+        }
     }
     return cases;
 }
@@ -332,6 +359,9 @@ std::vector<RunCase> texels_of_dualquat() {
         {"X6", "zero", real(middle, 0), POSEPACK_ERROR_SEMANTIC, options},
         {"X6", "just below a quarter", real(middle, 0x33FF), POSEPACK_ERROR_SEMANTIC, options},
         {"X6", "just above two", real(1, 0x4001), POSEPACK_ERROR_SEMANTIC, options},
+        {"X6", "zero in the first row", real(0, 0), POSEPACK_ERROR_SEMANTIC, options},
+        {"X6", "zero in the last row of a run", real(2, 0), POSEPACK_ERROR_SEMANTIC, options},
+        {"X6", "zero in the row of a bone that keeps still", real(3, 0), POSEPACK_ERROR_SEMANTIC, options},
         {"X6", "minus two", real(middle, 0xC000), POSEPACK_OK, options},
         {"X8", "one sign turned", in_the_end(7, 0x80), POSEPACK_ERROR_SEMANTIC, options},
         {"X8", "one sign turned back", in_the_end(15, 0x80), POSEPACK_ERROR_SEMANTIC, turned_walk()},
