@@ -262,10 +262,11 @@ posepack_result posepack_get_run(const posepack_view* view, uint32_t clip_index,
                                  posepack_run* run);
 
 /*
- * Decodes one bone of a clip at a phase, as a shader does, under every row scheme.
+ * Decodes one bone of a clip at a phase, as a shader does, under every row scheme: between two rows of its
+ * run, or one row alone where the clip is made of steps or the row is a cut.
  *   phase  0 to 1 over the clip's period_s: what wrap makes of the time (docs/format/posepack-1.md, section
  *          11). Smaller values and NaN count as 0, larger ones as 1.
- * OK, ARG or INDEX.
+ * OK, ARG or INDEX. O(1) but for a search among the clip's cuts.
  */
 posepack_result posepack_sample_bone(const posepack_view* view, uint32_t clip_index, float phase,
                                      uint32_t bone, float matrix[12]);
