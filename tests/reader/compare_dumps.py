@@ -64,9 +64,8 @@ def main():
         if problem is not None:
             failed += 1
             print(f"{path}: {problem}")
-    print(f"compared {opened + refused} files: {opened} opened with {rows} rows of {matrices} matrices "
-          f"and {samples} sampled, "
-          f"{refused} refused ({', '.join(sorted(results)) or 'none'}); {failed} differ")
+    print(f"compared {opened + refused} files: {opened} opened with {rows} rows, {matrices} matrices of rows "
+          f"and {samples} of phases, {refused} refused ({', '.join(sorted(results)) or 'none'}); {failed} differ")
     if samples == 0:
         print("nothing was compared")
     return 1 if failed or samples == 0 else 0
