@@ -10,13 +10,11 @@
  * Use:
  *
  *     posepack_view view;
- *     posepack_clip clip;
  *     uint32_t index;
  *     float matrix[12];
  *     if (posepack_open(&view, bytes, size) != POSEPACK_OK) return 0;
  *     if (posepack_find_clip(&view, "walk", &index) != POSEPACK_OK) return 0;
- *     posepack_get_clip(&view, index, &clip);
- *     posepack_decode_bone(&view, clip.first_row, 0, matrix);
+ *     posepack_sample_bone(&view, index, 0.25f, 0, matrix);  (bone 0, a quarter through the clip)
  *
  * Memory: no allocation, no I/O, no globals, no recursion. The view copies header and section
  * table; everything else points into the caller's bytes, which must outlive the view. Bytes may

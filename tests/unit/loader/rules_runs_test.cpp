@@ -47,26 +47,16 @@ TEST(RunRules, EveryVariantIsGood) {
     EXPECT_EQ(opened, 432);
 }
 
-// Three bones of `intervals` each, in as many clips as asked for: 9 texels a row of affine.
-RunOptions many_rows(std::size_t clips, std::uint32_t intervals) {
-    RunOptions options = tiny_runs();
-    RunClip clip = options.clips[0];
-    const std::uint32_t rows = intervals + 1;
-    clip.runs = {run_word(0, intervals), run_word(rows, intervals), run_word(2 * rows, intervals)};
-    options.clips.assign(clips, clip);
-    return options;
-}
-
 TEST(RunRules, TheTextureGetsWiderWhereItWouldBeTooHigh) {
     // 8 x 4,096 x 9 = 294,912 texels are more than 64 x 4,096.
-    const Bytes wide = make_run_container(many_rows(8, 4095));
+    const Bytes wide = make_run_container(many_runs(8, 4095));
     posepack_view view;
     ASSERT_EQ(posepack_open(&view, wide.data(), wide.size()), POSEPACK_OK);
     EXPECT_EQ(view.header.texture_width_texels, 128u);
     EXPECT_EQ(view.header.texture_height_texels, 2305u);
     // 262,143 texels and one bone-row need 4,097 lines of 64; three texels less, and 4,096 are enough.
-    RunOptions options = many_rows(7, 4095);  // 258,048
-    options.clips.push_back(many_rows(1, 454).clips[0]);
+    RunOptions options = many_runs(7, 4095);  // 258,048
+    options.clips.push_back(many_runs(1, 454).clips[0]);
     const Bytes next = make_run_container(options);  // 262,143
     ASSERT_EQ(posepack_open(&view, next.data(), next.size()), POSEPACK_OK);
     EXPECT_EQ(view.header.texture_width_texels, 128u);

@@ -159,6 +159,16 @@ RunOptions tiny_runs(std::uint8_t idle_encoding, std::uint8_t walk_encoding) {
     return options;
 }
 
+RunOptions many_runs(std::size_t clip_count, std::uint32_t interval_count) {
+    const std::uint32_t rows = interval_count + 1;
+    RunClip clip{POSEPACK_ENCODING_AFFINE, POSEPACK_WRAP_ONCE};
+    clip.runs = {run_word(0, interval_count), run_word(rows, interval_count),
+                 run_word(2 * rows, interval_count)};
+    RunOptions options;
+    options.clips.assign(clip_count, clip);
+    return options;
+}
+
 std::uint32_t bone_row_count(const RunClip& clip) {
     std::uint32_t end = 0;
     for (const std::uint32_t run : clip.runs)

@@ -36,6 +36,10 @@ struct RunOptions {
 RunOptions tiny_runs(std::uint8_t idle_encoding = POSEPACK_ENCODING_AFFINE,
                      std::uint8_t walk_encoding = POSEPACK_ENCODING_AFFINE);
 
+/// So many clips that do not loop, in which each bone has a run of its own of so many intervals: with affine
+/// 9 texels a row.
+RunOptions many_runs(std::size_t clip_count, std::uint32_t interval_count);
+
 /// As make_parts; RUNS lies in front of PIXL.
 Parts make_run_parts(const RunOptions& options = tiny_runs());
 

@@ -293,7 +293,8 @@ TEST(Safety, RunsThatChangeAfterOpenNeverReadOutside) {
         }
         for (int round = 0; round < 2000; ++round) {
             for (std::size_t at = runs; at < runs + size; at += 4) {
-                const std::uint32_t word = random() % 2 == 0 ? kHostile[random() % 8] : random();
+                const auto word =
+                    static_cast<std::uint32_t>(random() % 2 == 0 ? kHostile[random() % 8] : random());
                 for (std::size_t i = 0; i < 4; ++i) bytes[at + i] = static_cast<std::uint8_t>(word >> 8 * i);
             }
             read_everything(view);
