@@ -10,10 +10,10 @@
 #include <nlohmann/json.hpp>
 
 #include "animal/read_animal.hpp"
-#include "bake/choose_rows.hpp"
 #include "bake/records.hpp"
 #include "bake/select_clips.hpp"
 #include "base/sha256.hpp"
+#include "choose/choose_rows.hpp"
 #include "measure/measure_error.hpp"
 #include "motion/skin_set.hpp"
 #include "palette/container_writer.hpp"
@@ -201,7 +201,7 @@ base::Status check_seam_gaps(const Animal& animal, const Palette& palette) {
 
 base::Result<Palette> make_palette(const recipe::AnimalEntry& entry, const Animal& animal,
                                    const motion::SkinSet& points, std::vector<Issue>& findings,
-                                   std::vector<std::vector<Attempt>>& attempts) {
+                                   std::vector<std::vector<choose::Attempt>>& attempts) {
     auto choices = select_clips(animal, entry);
     if (!choices) return choices.issue();
     auto states = choose_states(animal, entry, choices.value());
@@ -228,7 +228,7 @@ base::Result<Palette> make_palette(const recipe::AnimalEntry& entry, const Anima
         const std::uint8_t texel_format = entry.output.texel_format == recipe::TexelFormat::rgba16f
                                               ? POSEPACK_TEXEL_RGBA16F
                                               : POSEPACK_TEXEL_RGBA32F;
-        if (auto status = choose_palette_rows(animal, points, bounds, texel_format, aids, palette, attempts);
+        if (auto status = choose::choose_rows(animal, points, bounds, texel_format, aids, palette, attempts);
             !status)
             return status.issue();
         if (auto status = check_seam_gaps(animal, palette); !status) return status.issue();
@@ -271,7 +271,7 @@ base::Result<BakedAnimal> bake_animal(const recipe::AnimalEntry& entry, std::spa
         baked.findings.push_back(base::at(entry.model, finding));
     const motion::SkinSet points = motion::unique_points(animal.value());
     std::vector<Issue> remarks;
-    std::vector<std::vector<Attempt>> attempts;
+    std::vector<std::vector<choose::Attempt>> attempts;
     auto palette = make_palette(entry, animal.value(), points, remarks, attempts);
     if (!palette) return base::at(entry.id, palette.issue());
     for (const Issue& remark : remarks) baked.findings.push_back(base::at(entry.id, remark));

@@ -36,10 +36,15 @@ def _inspect(case):
     matrix = case.run("inspect", "out/elk.posepack", "--row", 0, "--bone", "root")
     case.equal([line.split() for line in matrix.stdout.splitlines()[1:]],
                [["1", "0", "0", "0.5"], ["0", "1", "0", "0"], ["0", "0", "1", "0"]], "matrix as text")
+    case.equal(case.inspect("out/elk.posepack", "--clip", "Run", "--phase", 0, "--bone", "head")["matrix"],
+               case.inspect("out/elk.posepack", "--clip", "Run", "--row", 0, "--bone", "head")["matrix"],
+               "phase 0 is row 0")
     for options, mention in ((("--row", 90), "89"), (("--row", 99999999999), "row"),
                              (("--row", 0, "--bone", "tail"), "tail"), (("--row", 0, "--bone", 3), "0 to 2"),
                              (("--row", 0, "--clip", "Swim"), "Swim"), (("--row", -1), "row"),
-                             (("--clip", "Walk"), "--row"), (("--bone", 1), "--row")):
+                             (("--clip", "Walk"), "--row"), (("--bone", 1), "--row"),
+                             (("--phase", 0.5), "--clip"), (("--phase", 2, "--clip", "Run"), "0 to 1"),
+                             (("--phase", 0, "--row", 0, "--clip", "Run"), "both")):
         case.expect_refused(case.run("inspect", "out/elk.posepack", *options), 1, "E-USAGE", (mention,))
 
 

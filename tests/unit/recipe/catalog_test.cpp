@@ -148,7 +148,7 @@ TEST(CanonicalJson, LeavesOutIdAndPath) {
         deer.canonical_json,
         R"({"clips":[],"default_state":"","forward":"+z","keywords":{"attack":["attack","bite"],)"
         R"("flee":["run","gallop"],"idle":["idle"],"wander":["walk"]},"metres_per_unit":1.0,)"
-        R"("output":{"caps":"webgl2","encoding":"affine","row_pitch":"tight","space":"normalised","texel_format":"rgba16f",)"
+        R"("output":{"bound":null,"caps":"webgl2","encoding":"affine","row_pitch":"tight","space":"normalised","texel_format":"rgba16f",)"
         R"("texel_order":"bone-major"},"rate_hz":"keys"})");
 }
 
