@@ -37,8 +37,7 @@ struct Bins {
 Bins bins_of(std::vector<double> times_s, double bin_width_s) {
     Bins bins{std::move(times_s)};
     const double wanted = std::ceil((bins.times_s.back() - bins.times_s.front()) / bin_width_s);
-    bins.count =
-        static_cast<std::size_t>(std::clamp(wanted, 1.0, static_cast<double>(bins.times_s.size())));
+    bins.count = static_cast<std::size_t>(std::clamp(wanted, 1.0, static_cast<double>(bins.times_s.size())));
     return bins;
 }
 
@@ -100,11 +99,11 @@ base::Result<ErrorHeat> measure_heat(const animal::Animal& animal, const palette
         const Bins bins = bins_of(test_times_s(clip.plan, sampler.key_times_s()), bin_width_s);
         samples += std::uint64_t{bins.times_s.size()} * points.size();
         if (samples > kMaxSamples)
-            return base::Issue{base::IssueCode::lim_work, animal.clips[clip.source].name,
-                               fmt::format("expected at most {} places (times x vertices) to measure, found {}",
-                                           kMaxSamples, samples)};
-        heat.clips.push_back(
-            clip_heat(poses, sampler, clip, bins, points, animal.bones.size(), radius));
+            return base::Issue{
+                base::IssueCode::lim_work, animal.clips[clip.source].name,
+                fmt::format("expected at most {} places (times x vertices) to measure, found {}", kMaxSamples,
+                            samples)};
+        heat.clips.push_back(clip_heat(poses, sampler, clip, bins, points, animal.bones.size(), radius));
     }
     return heat;
 }

@@ -31,7 +31,8 @@ struct LaneWorst {
     std::array<std::uint32_t, kLanes> entry{};
 };
 
-// sum += (m[0] x + m[1] y + m[2] z) of a weighted vector, lane by lane. `m` points at three elements of a row.
+// sum += (m[0] x + m[1] y + m[2] z) of a weighted vector, lane by lane. `m` points at three elements of a
+// row.
 inline void add_row(const float* m, float wx, float wy, float wz, Lanes& sum) {
     for (std::size_t l = 0; l < kLanes; ++l)
         sum[l] += m[l] * wx + m[kLanes + l] * wy + m[2 * kLanes + l] * wz;

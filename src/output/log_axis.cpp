@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "output/log_axis.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace posepack::output {
+namespace {
+
+constexpr double kAir = 0.06;                   // of the axis, beyond its outermost values
+constexpr std::size_t kFewCounts = 6;           // different counts that are ticks themselves
+constexpr double kDecadesForDecadeTicks = 2.6;  // beyond: 1, 10, 100; below: 1, 2, 5, 10
+
+// 1, 2 or 5 times a power of ten: the least that is not below `least`.
+double nice_step(double least) {
+    const double power = std::pow(10.0, std::floor(std::log10(least)));
+    for (const double factor : {1.0, 2.0, 5.0})
+        if (factor * power >= least * (1.0 - 1e-9)) return factor * power;
+    return 10.0 * power;
+}
+
+// Multiples of a step: for ranges within a decade, where 1, 2, 5 would be too few.
+void add_even_ticks(LogAxis& axis) {
+    const double step = nice_step((axis.high - axis.low) / 6.0);
+    for (double i = std::ceil(axis.low / step); i * step <= axis.high; ++i) axis.ticks.push_back(i * step);
+}
+
+void add_decade_ticks(LogAxis& axis, bool with_two_and_five) {
+    const int first = static_cast<int>(std::floor(std::log10(axis.low)));
+    const int last = static_cast<int>(std::ceil(std::log10(axis.high)));
+    for (int exponent = first; exponent <= last; ++exponent)
+        for (int digit = 1; digit <= 9; ++digit) {
+            // By decimal text, so that a tick is the number that is written beside it.
+            const double value = std::stod(fmt::format("{}e{}", digit, exponent));
+            if (value < axis.low || value > axis.high) continue;
+            const bool is_written = digit == 1 || (with_two_and_five && (digit == 2 || digit == 5));
+            (is_written ? axis.ticks : axis.minor_ticks).push_back(value);
+        }
+}
+
+void add_ticks(LogAxis& axis, std::vector<double> positive) {
+    std::sort(positive.begin(), positive.end());
+    positive.erase(std::unique(positive.begin(), positive.end()), positive.end());
+    const double decades = std::log10(axis.high / axis.low);
+    if (axis.unit == AxisUnit::count && positive.size() <= kFewCounts)
+        axis.ticks = positive;
+    else if (decades < 1.0)
+        add_even_ticks(axis);
+    else
+        add_decade_ticks(axis, decades < kDecadesForDecadeTicks);
+}
+
+}  // namespace
+
+double LogAxis::place(double value) const {
+    if (!(value > low)) return 0.0;
+    return std::min(1.0, std::log(value / low) / std::log(high / low));
+}
+
+LogAxis log_axis(AxisUnit unit, std::span<const double> values, double least_ratio) {
+    std::vector<double> positive;
+    std::copy_if(values.begin(), values.end(), std::back_inserter(positive),
+                 [](double value) { return value > 0.0 && std::isfinite(value); });
+    LogAxis axis;
+    axis.unit = unit;
+    if (!positive.empty()) {
+        const auto [least, largest] = std::minmax_element(positive.begin(), positive.end());
+        const double spare = std::max(1.0, least_ratio / (*largest / *least));
+        const double low = *least / std::sqrt(spare), high = *largest * std::sqrt(spare);
+        const double air = std::pow(high / low, kAir);
+        axis.low = low / air;
+        axis.high = high * air;
+    }
+    add_ticks(axis, std::move(positive));
+    return axis;
+}
+
+std::string tick_text(AxisUnit unit, double value) {
+    switch (unit) {
+        case AxisUnit::bytes:
+            if (value >= 999.5e6) return fmt::format("{:.4g} GB", value / 1e9);
+            if (value >= 999.5e3) return fmt::format("{:.4g} MB", value / 1e6);
+            if (value >= 999.5) return fmt::format("{:.4g} kB", value / 1e3);
+            return fmt::format("{:.4g} B", value);
+        case AxisUnit::fraction:
+            return value >= 0.99e-3
+                       ? fmt::format("{:.4g}", value)
+                       : fmt::format("{:.3g}e{}",
+                                     value / std::pow(10.0, std::floor(std::log10(value) + 1e-9)),
+                                     static_cast<int>(std::floor(std::log10(value) + 1e-9)));
+        case AxisUnit::nanoseconds:
+        case AxisUnit::count:
+            break;
+    }
+    return fmt::format("{:.4g}", value);
+}
+
+std::string decimal_bytes(std::uint64_t bytes) {
+    return tick_text(AxisUnit::bytes, static_cast<double>(bytes));
+}
+
+}  // namespace posepack::output
