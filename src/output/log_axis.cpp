@@ -23,7 +23,7 @@ double nice_step(double least) {
 
 // Multiples of a step: for ranges within a decade, where 1, 2, 5 would be too few.
 void add_even_ticks(LogAxis& axis) {
-    const double step = nice_step((axis.high - axis.low) / 6.0);
+    const double step = nice_step((axis.high - axis.low) / 8.0);
     for (double i = std::ceil(axis.low / step); i * step <= axis.high; ++i) axis.ticks.push_back(i * step);
 }
 
@@ -50,6 +50,15 @@ void add_ticks(LogAxis& axis, std::vector<double> positive) {
         add_even_ticks(axis);
     else
         add_decade_ticks(axis, decades < kDecadesForDecadeTicks);
+}
+
+// A tick below 1e-3: "2e-4", "1.5e-4".
+std::string power_text(double value) {
+    const std::string text = short_error(value);
+    std::string digits = text.substr(0, text.find('e'));
+    digits.erase(digits.find_last_not_of('0') + 1);
+    if (digits.back() == '.') digits.pop_back();
+    return digits + text.substr(text.find('e'));
 }
 
 }  // namespace
@@ -80,16 +89,9 @@ LogAxis log_axis(AxisUnit unit, std::span<const double> values, double least_rat
 std::string tick_text(AxisUnit unit, double value) {
     switch (unit) {
         case AxisUnit::bytes:
-            if (value >= 999.5e6) return fmt::format("{:.4g} GB", value / 1e9);
-            if (value >= 999.5e3) return fmt::format("{:.4g} MB", value / 1e6);
-            if (value >= 999.5) return fmt::format("{:.4g} kB", value / 1e3);
-            return fmt::format("{:.4g} B", value);
+            return decimal_bytes(value);
         case AxisUnit::fraction:
-            return value >= 0.99e-3
-                       ? fmt::format("{:.4g}", value)
-                       : fmt::format("{:.3g}e{}",
-                                     value / std::pow(10.0, std::floor(std::log10(value) + 1e-9)),
-                                     static_cast<int>(std::floor(std::log10(value) + 1e-9)));
+            return value >= 0.999e-3 ? fmt::format("{:.4g}", value) : power_text(value);
         case AxisUnit::nanoseconds:
         case AxisUnit::count:
             break;
@@ -97,8 +99,18 @@ std::string tick_text(AxisUnit unit, double value) {
     return fmt::format("{:.4g}", value);
 }
 
-std::string decimal_bytes(std::uint64_t bytes) {
-    return tick_text(AxisUnit::bytes, static_cast<double>(bytes));
+std::string decimal_bytes(double bytes) {
+    if (bytes >= 999.95e6) return fmt::format("{:.4g} GB", bytes / 1e9);
+    if (bytes >= 999.95e3) return fmt::format("{:.4g} MB", bytes / 1e6);
+    if (bytes >= 999.95) return fmt::format("{:.4g} kB", bytes / 1e3);
+    return fmt::format("{:.4g} B", bytes);
+}
+
+std::string short_error(double value) {
+    if (value == 0.0) return "0";
+    const std::string text = fmt::format("{:.2e}", value);  // "5.42e-02"
+    const std::size_t e = text.find('e');
+    return fmt::format("{}e{}", text.substr(0, e), std::stoi(text.substr(e + 1)));
 }
 
 }  // namespace posepack::output

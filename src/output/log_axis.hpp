@@ -2,7 +2,6 @@
 // Logarithmic axes: their range, their ticks, and how the ticks are written.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -35,7 +34,10 @@ LogAxis log_axis(AxisUnit unit, std::span<const double> values, double least_rat
 // A tick as it is written, without the unit's name where the axis title has it.
 std::string tick_text(AxisUnit unit, double value);
 
-// 380928 as "380.9 kB": three or four digits, thousands, for prose and hover texts.
-std::string decimal_bytes(std::uint64_t bytes);
+// 380928 as "380.9 kB": three or four digits, thousands, for ticks, prose and hover texts.
+std::string decimal_bytes(double bytes);
+
+// A fraction of R in three digits: "5.42e-2", "0".
+std::string short_error(double value);
 
 }  // namespace posepack::output

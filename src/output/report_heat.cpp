@@ -10,13 +10,13 @@
 
 #include "base/text.hpp"
 #include "output/html_text.hpp"
-#include "output/text_table.hpp"
+#include "output/log_axis.hpp"
 
 namespace posepack::output {
 namespace {
 
 constexpr std::array<float, 9> kEdges{1e-4f, 3e-4f, 1e-3f, 2e-3f, 5e-3f, 1e-2f, 2e-2f, 5e-2f, 1e-1f};
-constexpr double kWidth = 1160, kLeft = 132, kRight = kWidth - 8, kTop = 66, kLineHeight = 11, kGap = 5;
+constexpr double kWidth = 1160, kLeft = 132, kRight = kWidth - 60, kTop = 66, kLineHeight = 11, kGap = 5;
 constexpr double kLeastClip = 12;  // width of a clip that lasts next to nothing
 
 double duration_s(const HeatClip& clip) {
@@ -150,7 +150,7 @@ class HeatDrawing {
                 "s</title></path>\n",
                 spans_[c].left, kTop + kLineHeight * static_cast<double>(line), spans_[c].width, kLineHeight,
                 spans_[c].width, html_text(heat_.bones[bones_[line]], 64), html_text(heat_.clips[c].name, 64),
-                readable_error(base::widened(error)), static_cast<double>(error) * radius_m_ * 1e3,
+                short_error(base::widened(error)), static_cast<double>(error) * radius_m_ * 1e3,
                 0.5 * (edges_s[worst] + edges_s[worst + 1]));
         }
     }

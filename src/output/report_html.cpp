@@ -12,7 +12,6 @@
 #include "output/report_page.hpp"
 #include "output/report_tables.hpp"
 #include "output/report_writers.hpp"
-#include "output/text_table.hpp"
 
 namespace posepack::output {
 namespace {
@@ -101,13 +100,13 @@ Candidate candidate_of(const ReportTotal& total) {
 std::string title_of(const Candidate& candidate, std::size_t error, std::size_t cost) {
     const double value = candidate.costs[cost];
     const std::string costs = kCosts[cost].unit == AxisUnit::bytes
-                                  ? decimal_bytes(static_cast<std::uint64_t>(value))
+                                  ? decimal_bytes(value)
                                   : fmt::format("{:.3g}{}", value, kCosts[cost].words);
     const std::string metres =
         candidate.metres > 0 ? fmt::format(" = {:.3g} mm", candidate.errors[error] * candidate.metres * 1e3)
                              : "";
     return fmt::format("{}, {}: {}, {} {} R{}", candidate.form, candidate.rows, costs, kErrors[error].name,
-                       readable_error(candidate.errors[error]), metres);
+                       short_error(candidate.errors[error]), metres);
 }
 
 std::string chart_of(const std::vector<Candidate>& candidates, const Series& series, const std::string& name,
@@ -206,14 +205,15 @@ std::string summary_of(const Report& report, const std::vector<ReportTotal>& tot
     const ReportTotal* chosen = find_total(totals, [](const ReportTotal& total) { return total.is_chosen; });
     if (chosen != nullptr) {
         tiles.push_back({"Chosen", html_text(chosen->form), html_text("rows: " + chosen->rows)});
-        tiles.push_back({"Size", decimal_bytes(chosen->bytes), ratio_remark(report, totals, *chosen)});
+        tiles.push_back({"Size", decimal_bytes(static_cast<double>(chosen->bytes)),
+                         ratio_remark(report, totals, *chosen)});
         tiles.push_back(
-            {"Largest error", readable_error(chosen->max.worst) + " R",
+            {"Largest error", short_error(chosen->max.worst) + " R",
              fmt::format("{}; median of the animals {} R", html_text(chosen->max.worst_animal, 32),
-                         readable_error(chosen->max.median))});
-        tiles.push_back({"p99.9", readable_error(chosen->p999.worst) + " R",
+                         short_error(chosen->max.median))});
+        tiles.push_back({"p99.9", short_error(chosen->p999.worst) + " R",
                          fmt::format("{}; median {} R", html_text(chosen->p999.worst_animal, 32),
-                                     readable_error(chosen->p999.median))});
+                                     short_error(chosen->p999.median))});
         tiles.push_back({"CPU decode", fmt::format("{:.2f} ns", chosen->decode_ns_per_vertex),
                          "a vertex, one thread, this machine"});
     }
@@ -235,7 +235,7 @@ std::string catalog_section(const Report& report, const std::vector<ReportTotal>
     std::string out =
         "<section class=\"all\" id=\"catalog\">\n<h2>Whole catalog</h2>\n<p class=\"sub\">Bytes are summed "
         "over all "
-        "animals; errors are those of the animal that errs most; run times are means.</p>\n";
+        "animals; errors, fractions of R, are those of the animal that errs most; run times are means.</p>\n";
     out += legend_of(series) + charts_of(candidates, series, "Whole catalog");
     if (left_out > 0)
         out += fmt::format("<p class=\"note\">{} that some animal cannot have: in the table alone.</p>\n",
@@ -251,9 +251,9 @@ std::string worst_sentence(const ReportRow& row) {
         "<p>Chosen: <b>{}, {}</b>, {}. Largest error <b>{} R</b> = {:.3g} mm, in clip <b>{}</b> at {:.3f} s, "
         "mesh {}, "
         "vertex {}, because of bone <b>{}</b>.</p>\n",
-        html_text(row.form), html_text(row.rows), decimal_bytes(row.bytes), readable_error(e.max),
-        base::widened(e.max_m) * 1e3, html_text(e.clip, 64), e.time_s, html_text(e.mesh, 64), e.vertex,
-        html_text(e.bone, 64));
+        html_text(row.form), html_text(row.rows), decimal_bytes(static_cast<double>(row.bytes)),
+        short_error(e.max), base::widened(e.max_m) * 1e3, html_text(e.clip, 64), e.time_s,
+        html_text(e.mesh, 64), e.vertex, html_text(e.bone, 64));
 }
 
 std::string refusals_of(const AnimalReport& animal) {
@@ -266,9 +266,10 @@ std::string refusals_of(const AnimalReport& animal) {
 
 std::string heat_of(const AnimalReport& animal) {
     if (!animal.heat || animal.heat->bones.empty() || animal.heat->clips.empty()) return "";
-    std::string out =
-        fmt::format("<h3>Error over time and bone, chosen rows</h3>\n{}<div class=\"wide\">{}</div>\n",
-                    heat_key(), heat_svg(*animal.heat, animal.id, base::widened(animal.radius_m)));
+    std::string out = fmt::format(
+        "<h3>Largest error over time and bone, chosen rows, fraction of R</h3>\n{}<div "
+        "class=\"wide\">{}</div>\n",
+        heat_key(), heat_svg(*animal.heat, animal.id, base::widened(animal.radius_m)));
     if (animal.heat->bones.size() > kHeatBones)
         out += fmt::format("<p class=\"note\">The {} of {} bones that err most.</p>\n", kHeatBones,
                            animal.heat->bones.size());
@@ -303,12 +304,12 @@ std::string bar_of(const Report& report) {
                              is_first ? " checked" : "");
         bar += fmt::format("<label for=\"{}\">{}</label>", id, name);
     };
-    bar += "<nav><div>\n<div><span>Error</span>";
+    bar += "<nav><div>\n<div class=\"seg\"><span>Error</span>";
     for (const ErrorKind& kind : kErrors) add("error", kind.id, kind.name, &kind == &kErrors.front());
-    bar += "</div>\n<div><span>Run time</span>";
+    bar += "</div>\n<div class=\"seg\"><span>Run time</span>";
     for (std::size_t k = 1; k < kCosts.size(); ++k) add("cost", kCosts[k].id, kCosts[k].name, k == 1);
     bar +=
-        "</div>\n<div hidden><label for=\"animal\" class=\"plain\">Show</label> <select "
+        "</div>\n<div class=\"show\" hidden><label for=\"animal\">Show</label> <select "
         "id=\"animal\"><option value=\"\">all "
         "animals</option>";
     for (std::size_t a = 0; a < report.animals.size(); ++a)

@@ -53,11 +53,11 @@ dl { margin: 0; }
 nav { position: sticky; top: 0; z-index: 2; background: var(--page); border-bottom: 1px solid var(--line); margin-top: 14px; }
 nav > div { max-width: 1240px; margin: 0 auto; padding: 8px 20px; display: flex; flex-wrap: wrap; gap: 6px 22px; align-items: center;
   font-size: 14px; }
-nav span { color: var(--soft); margin-right: 4px; }
-nav label { display: inline-block; padding: 2px 10px; border: 1px solid var(--line); background: var(--card); cursor: pointer; }
-nav label + label { border-left: 0; }
-nav label:first-of-type { border-radius: 6px 0 0 6px; }
-nav label:last-of-type { border-radius: 0 6px 6px 0; }
+nav span, .show label { color: var(--soft); margin-right: 4px; }
+.seg label { display: inline-block; padding: 2px 10px; border: 1px solid var(--line); background: var(--card); cursor: pointer; }
+.seg label + label { border-left: 0; }
+.seg label:first-of-type { border-radius: 6px 0 0 6px; }
+.seg label:last-of-type { border-radius: 0 6px 6px 0; }
 nav select { font: inherit; color: inherit; background: var(--card); border: 1px solid var(--line); border-radius: 6px; padding: 2px 6px;
   max-width: 260px; }
 .charts { display: grid; grid-template-columns: repeat(auto-fit, minmax(420px, 1fr)); gap: 8px 22px; }
@@ -87,15 +87,14 @@ svg .lc { fill: var(--chosen); font-weight: 650; }
 .e { text-anchor: end; }
 .p circle { stroke-width: 1.8; }
 .p:hover circle { stroke-width: 4; }
-.p .ch { fill: none; stroke: var(--chosen); stroke-width: 2; }
-.p:hover .ch { stroke-width: 3; }
 )css"
                                     R"css(
 .s0 { --c: var(--s0); } .s1 { --c: var(--s1); } .s2 { --c: var(--s2); } .s3 { --c: var(--s3); }
 .s4 { --c: var(--s4); } .s5 { --c: var(--s5); } .s6 { --c: var(--s6); } .s7 { --c: var(--s7); }
 .cu { stroke: var(--c); }
-.p circle:last-child { fill: var(--c); stroke: var(--c); }
-.o circle:last-child { fill: var(--card); }
+.p circle { fill: var(--c); stroke: var(--c); }
+.p .ch { fill: none; stroke: var(--chosen); stroke-width: 2; }
+.o circle:not(.ch) { fill: var(--card); }
 .h0 { fill: var(--h0); background: var(--h0); } .h1 { fill: var(--h1); background: var(--h1); }
 .h2 { fill: var(--h2); background: var(--h2); } .h3 { fill: var(--h3); background: var(--h3); }
 .h4 { fill: var(--h4); background: var(--h4); } .h5 { fill: var(--h5); background: var(--h5); }
@@ -109,7 +108,7 @@ svg .hs { font-size: 10.5px; text-anchor: middle; }
 .ho:hover { stroke: var(--ink); }
 .wide { overflow-x: auto; }
 table { border-collapse: collapse; font-size: 13px; font-variant-numeric: tabular-nums; margin: 6px 0; min-width: 100%; }
-th, td { padding: 3px 9px; text-align: right; white-space: nowrap; border-bottom: 1px solid var(--faint); }
+th, td { padding: 3px 7px; text-align: right; white-space: nowrap; border-bottom: 1px solid var(--faint); }
 th { color: var(--soft); font-weight: 600; border-bottom-color: var(--line); vertical-align: bottom; white-space: normal; }
 .l { text-align: left; }
 .sorts th { cursor: pointer; }
@@ -136,6 +135,7 @@ footer { color: var(--soft); font-size: 13.5px; padding-bottom: 40px; }
   outline: 2px solid var(--ink); outline-offset: 1px; }
 .animal { content-visibility: auto; contain-intrinsic-size: auto 1100px; }
 @media (max-width: 520px) { .charts { grid-template-columns: 1fr; } section { padding: 12px; } }
+@page { margin: 11mm; }
 @media print {
   body { background: none; font-size: 11pt; }
   header, main, footer { max-width: none; padding: 0; }
@@ -145,8 +145,9 @@ footer { color: var(--soft); font-size: 13.5px; padding-bottom: 40px; }
   figure, tr, .tiles div { break-inside: avoid; }
   .charts { grid-template-columns: 1fr 1fr; }
   .wide { overflow: visible; }
-  table { font-size: 7.5pt; min-width: 0; }
-  th, td { padding: 1pt 3pt; white-space: normal; }
+  table { font-size: 6.3pt; min-width: 0; }
+  th, td { padding: 1pt 2.5pt; }
+  td.l:last-child { white-space: normal; }
   * { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
 }
 )css";

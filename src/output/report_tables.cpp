@@ -5,6 +5,7 @@
 
 #include "base/text.hpp"
 #include "output/html_text.hpp"
+#include "output/log_axis.hpp"
 #include "output/text_table.hpp"
 
 namespace posepack::output {
@@ -54,21 +55,20 @@ std::string forms_table(const AnimalReport& animal) {
                      {"max mm"},
                      {"normal max \u00b0"},
                      {"normal p99.9 \u00b0"},
-                     {"CPU ns/vertex"},
+                     {"CPU ns"},
                      {"fetches"},
                      {"ALU"},
                      {"bake ms"},
                      {"worst place", Align::left}});
     for (const ReportRow& row : animal.rows) {
         const recipe::ErrorRecord& e = row.error;
-        table.add(
-            {html_text(row.form), html_text(row.rows) + (row.is_chosen ? " (chosen)" : ""),
-             base::grouped(row.bytes), readable_error(e.max), readable_error(e.p999), readable_error(e.rms),
-             three_digits(base::widened(e.max_m) * 1e3), three_digits(base::widened(e.normal_max_deg)),
-             three_digits(base::widened(e.normal_p999_deg)), fmt::format("{:.2f}", row.decode_ns_per_vertex),
-             std::to_string(row.fetches), std::to_string(row.alu_operations),
-             fmt::format("{:.1f}", row.bake_ms), place_of(e)},
-            row.is_chosen);
+        table.add({html_text(row.form), html_text(row.rows) + (row.is_chosen ? " (chosen)" : ""),
+                   base::grouped(row.bytes), short_error(e.max), short_error(e.p999), short_error(e.rms),
+                   three_digits(base::widened(e.max_m) * 1e3), three_digits(base::widened(e.normal_max_deg)),
+                   three_digits(base::widened(e.normal_p999_deg)),
+                   fmt::format("{:.2f}", row.decode_ns_per_vertex), std::to_string(row.fetches),
+                   std::to_string(row.alu_operations), fmt::format("{:.1f}", row.bake_ms), place_of(e)},
+                  row.is_chosen);
     }
     return table.finish();
 }
@@ -78,27 +78,26 @@ std::string totals_table(const std::vector<ReportTotal>& totals) {
                      {"rows", Align::left},
                      {"animals"},
                      {"bytes"},
-                     {"max / R, median"},
-                     {"max / R, worst"},
+                     {"max median"},
+                     {"max worst"},
                      {"worst animal", Align::left},
-                     {"p99.9 / R, median"},
-                     {"p99.9 / R, worst"},
-                     {"rms / R, median"},
-                     {"rms / R, worst"},
-                     {"normal max \u00b0, worst"},
-                     {"CPU ns/vertex"},
+                     {"p99.9 median"},
+                     {"p99.9 worst"},
+                     {"rms median"},
+                     {"rms worst"},
+                     {"normal worst \u00b0"},
+                     {"CPU ns"},
                      {"fetches"},
                      {"ALU"},
                      {"bake ms"}});
     for (const ReportTotal& t : totals)
-        table.add(
-            {html_text(t.form), html_text(t.rows) + (t.is_chosen ? " (chosen)" : ""),
-             std::to_string(t.animal_count), base::grouped(t.bytes), readable_error(t.max.median),
-             readable_error(t.max.worst), html_text(t.max.worst_animal, 24), readable_error(t.p999.median),
-             readable_error(t.p999.worst), readable_error(t.rms.median), readable_error(t.rms.worst),
-             three_digits(t.normal_max_deg.worst), fmt::format("{:.2f}", t.decode_ns_per_vertex),
-             three_digits(t.fetches), three_digits(t.alu_operations), fmt::format("{:.1f}", t.bake_ms)},
-            t.is_chosen);
+        table.add({html_text(t.form), html_text(t.rows) + (t.is_chosen ? " (chosen)" : ""),
+                   std::to_string(t.animal_count), base::grouped(t.bytes), short_error(t.max.median),
+                   short_error(t.max.worst), html_text(t.max.worst_animal, 24), short_error(t.p999.median),
+                   short_error(t.p999.worst), short_error(t.rms.median), short_error(t.rms.worst),
+                   three_digits(t.normal_max_deg.worst), fmt::format("{:.2f}", t.decode_ns_per_vertex),
+                   three_digits(t.fetches), three_digits(t.alu_operations), fmt::format("{:.1f}", t.bake_ms)},
+                  t.is_chosen);
     return table.finish();
 }
 
@@ -125,8 +124,8 @@ std::string overview_table(const Report& report) {
                    std::to_string(animal.bone_count), base::grouped(animal.vertex_count),
                    std::to_string(animal.clips.size()), three_digits(base::widened(animal.radius_m)),
                    html_text(row->form), html_text(row->rows), base::grouped(row->bytes),
-                   readable_error(row->error.max), readable_error(row->error.p999),
-                   readable_error(row->error.rms), three_digits(base::widened(row->error.max_m) * 1e3),
+                   short_error(row->error.max), short_error(row->error.p999), short_error(row->error.rms),
+                   three_digits(base::widened(row->error.max_m) * 1e3),
                    three_digits(base::widened(row->error.normal_p999_deg)), place_of(row->error)});
     }
     return table.finish();
@@ -148,8 +147,8 @@ std::string clips_table(const AnimalReport& animal) {
     for (const recipe::ClipRecord& clip : animal.clips)
         table.add({html_text(clip.name, 48), std::to_string(clip.row_count),
                    three_digits(base::widened(clip.rate_hz)), three_digits(base::widened(clip.period_s)),
-                   html_text(clip.wrap), readable_error(clip.error.max), readable_error(clip.error.p999),
-                   readable_error(clip.error.rms), three_digits(base::widened(clip.error.max_m) * 1e3),
+                   html_text(clip.wrap), short_error(clip.error.max), short_error(clip.error.p999),
+                   short_error(clip.error.rms), three_digits(base::widened(clip.error.max_m) * 1e3),
                    three_digits(base::widened(clip.error.normal_max_deg)),
                    fmt::format("{:.2f}", clip.error.time_s), html_text(clip.error.bone, 48)});
     return table.finish();
