@@ -36,19 +36,24 @@ std::string form_label(const recipe::OutputOptions& output) {
     return fmt::format("{} {}", name_of(output.encoding), name_of(output.texel_format));
 }
 
-// The rate that the catalog asks of every clip; nothing where clips differ.
-std::optional<std::optional<double>> common_rate(const recipe::AnimalEntry& entry) {
-    if (entry.clips.empty()) return entry.rate_hz;
+// The rate that the catalog asks of every clip, or none where clips differ.
+struct OwnRate {
+    bool is_common = true;
+    std::optional<double> rate_hz;
+};
+
+OwnRate own_rate_of(const recipe::AnimalEntry& entry) {
+    if (entry.clips.empty()) return {true, entry.rate_hz};
     const std::optional<double> rate_hz = entry.clips.front().rate_hz;
     const bool is_common = std::all_of(entry.clips.begin(), entry.clips.end(),
                                        [&](const recipe::ClipWish& wish) { return wish.rate_hz == rate_hz; });
-    return is_common ? std::optional(rate_hz) : std::nullopt;
+    return {is_common, rate_hz};
 }
 
 // Every form at every rate, then what the catalog asks for, if it is none of them.
 std::vector<Scheme> schemes_of(const recipe::AnimalEntry& entry,
                                const std::vector<std::optional<double>>& rates_hz) {
-    const auto own_rate = common_rate(entry);
+    const OwnRate own = own_rate_of(entry);
     std::vector<Scheme> schemes;
     bool has_chosen = false;
     for (const recipe::Encoding encoding : kEncodings)
@@ -59,12 +64,12 @@ std::vector<Scheme> schemes_of(const recipe::AnimalEntry& entry,
                 scheme.entry.output.texel_format = format;
                 scheme.entry.rate_hz = rate_hz;
                 for (recipe::ClipWish& wish : scheme.entry.clips) wish.rate_hz = rate_hz;
-                scheme.is_chosen = !has_chosen && own_rate && *own_rate == rate_hz &&
+                scheme.is_chosen = !has_chosen && own.is_common && own.rate_hz == rate_hz &&
                                    encoding == entry.output.encoding && format == entry.output.texel_format;
                 has_chosen = has_chosen || scheme.is_chosen;
                 schemes.push_back(std::move(scheme));
             }
-    if (!has_chosen) schemes.push_back({entry, own_rate ? rows_label(*own_rate) : "catalog", true});
+    if (!has_chosen) schemes.push_back({entry, own.is_common ? rows_label(own.rate_hz) : "catalog", true});
     // No form may fail for its texture's size alone.
     for (Scheme& scheme : schemes) scheme.entry.output.caps = recipe::Caps::desktop;
     return schemes;

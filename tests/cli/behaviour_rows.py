@@ -17,7 +17,7 @@ OPTIONS = {
     "bake": CATALOG_OPTIONS | OUTPUT_OPTIONS | {
         "--output", "--strict", "--allow-data-uris", "--keep-going", "--compare-vat", "--no-measure", "--no-fsync", "--jobs",
         "--lock-timeout", "--format"},
-    "report": CATALOG_OPTIONS | {"--rates", "--format"},
+    "report": CATALOG_OPTIONS | {"--rates", "--output", "--format", "--heat-map"},
     "compare": CATALOG_OPTIONS | {"--rate", "--copies", "--format"},
     "inspect": {"--bones", "--row", "--clip", "--bone", "--format"},
     "verify": {"--strict", "--format"},
