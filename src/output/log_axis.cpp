@@ -106,6 +106,14 @@ std::string decimal_bytes(double bytes) {
     return fmt::format("{:.4g} B", bytes);
 }
 
+std::string length_text(double metres) {
+    const double size = std::abs(metres);
+    if (size >= 0.9995)
+        return size >= 999.5 ? fmt::format("{:.0f} m", metres) : fmt::format("{:.3g} m", metres);
+    if (size >= 0.9995e-3 || size == 0.0) return fmt::format("{:.3g} mm", metres * 1e3);
+    return fmt::format("{:.3g} \u00b5m", metres * 1e6);
+}
+
 std::string short_error(double value) {
     if (value == 0.0) return "0";
     const std::string text = fmt::format("{:.2e}", value);  // "5.42e-02"

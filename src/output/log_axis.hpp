@@ -37,6 +37,9 @@ std::string tick_text(AxisUnit unit, double value);
 // 380928 as "380.9 kB": three or four digits, thousands, for ticks, prose and hover texts.
 std::string decimal_bytes(double bytes);
 
+// A length in three digits and the unit that suits it: "2.69 m", "31.7 mm", "4.2 um" (with the Greek letter).
+std::string length_text(double metres);
+
 // A fraction of R in three digits: "5.42e-2", "0".
 std::string short_error(double value);
 

@@ -85,9 +85,7 @@ class Drawing {
         if (!minor.empty()) add("<path class=\"g0\" d=\"{}\"/>\n", minor);
         if (!major.empty()) add("<path class=\"g1\" d=\"{}\"/>\n", major);
         add("<path class=\"ax\" d=\"M{} {}V{}H{}\"/>\n", kLeft, kTop, kBottom, kRight);
-        for (const double cost : cost_axis_.ticks)
-            add("<text class=\"tx\" x=\"{:.1f}\" y=\"{}\">{}</text>\n", x_of(cost), kBottom + 17,
-                tick_text(cost_axis_.unit, cost));
+        draw_cost_ticks();
         for (const double error : error_axis_.ticks)
             add("<text class=\"ty\" x=\"{}\" y=\"{:.1f}\">{}</text>\n", kLeft - 8, y_of(error) + 4,
                 tick_text(AxisUnit::fraction, error));
@@ -95,6 +93,18 @@ class Drawing {
             html_text(chart_.cost_title));
         add("<text class=\"at\" transform=\"translate(14 {}) rotate(-90)\">{}</text>\n", (kTop + kBottom) / 2,
             html_text(chart_.error_title));
+    }
+
+    // Ticks crowd towards the upper end: those without room stay lines.
+    void draw_cost_ticks() {
+        double last_right = 0.0;
+        for (const double cost : cost_axis_.ticks) {
+            const std::string text = tick_text(cost_axis_.unit, cost);
+            const double half = 0.5 * kLetter * static_cast<double>(text.size());
+            if (x_of(cost) - half < last_right + kLetter) continue;
+            last_right = x_of(cost) + half;
+            add("<text class=\"tx\" x=\"{:.1f}\" y=\"{}\">{}</text>\n", x_of(cost), kBottom + 17, text);
+        }
     }
 
     void draw_curves() {

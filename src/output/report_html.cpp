@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -103,8 +104,7 @@ std::string title_of(const Candidate& candidate, std::size_t error, std::size_t 
                                   ? decimal_bytes(value)
                                   : fmt::format("{:.3g}{}", value, kCosts[cost].words);
     const std::string metres =
-        candidate.metres > 0 ? fmt::format(" = {:.3g} mm", candidate.errors[error] * candidate.metres * 1e3)
-                             : "";
+        candidate.metres > 0 ? " = " + length_text(candidate.errors[error] * candidate.metres) : "";
     return fmt::format("{}, {}: {}, {} {} R{}", candidate.form, candidate.rows, costs, kErrors[error].name,
                        short_error(candidate.errors[error]), metres);
 }
@@ -224,22 +224,19 @@ std::string summary_of(const Report& report, const std::vector<ReportTotal>& tot
 
 std::string catalog_section(const Report& report, const std::vector<ReportTotal>& totals,
                             const Series& series) {
+    const ComparableTotals comparable = comparable_totals(report);
     std::vector<Candidate> candidates;
-    std::size_t left_out = 0;
-    for (const ReportTotal& total : totals) {
-        if (total.animal_count == report.animals.size())
-            candidates.push_back(candidate_of(total));
-        else
-            ++left_out;
-    }
+    for (const ReportTotal& total : comparable.totals) candidates.push_back(candidate_of(total));
     std::string out =
         "<section class=\"all\" id=\"catalog\">\n<h2>Whole catalog</h2>\n<p class=\"sub\">Bytes are summed "
-        "over all "
-        "animals; errors, fractions of R, are those of the animal that errs most; run times are means.</p>\n";
+        "over the animals; errors, fractions of R, are those of the animal that errs most; run times are "
+        "means.</p>\n";
+    if (!comparable.left_out.empty())
+        out += fmt::format(
+            "<p class=\"note\">The charts compare the {} that can have every form. Left out: {}.</p>\n",
+            base::counted(report.animals.size() - comparable.left_out.size(), "animal"),
+            html_text(fmt::format("{}", fmt::join(comparable.left_out, ", ")), 1000));
     out += legend_of(series) + charts_of(candidates, series, "Whole catalog");
-    if (left_out > 0)
-        out += fmt::format("<p class=\"note\">{} that some animal cannot have: in the table alone.</p>\n",
-                           base::counted(left_out, "form or row scheme", "forms and row schemes"));
     return out + "<h3>Forms and row schemes</h3>\n" + totals_table(totals) + "</section>\n" +
            "<section class=\"all\" id=\"overview\">\n<h2>Animals as chosen</h2>\n" + overview_table(report) +
            "</section>\n";
@@ -248,11 +245,11 @@ std::string catalog_section(const Report& report, const std::vector<ReportTotal>
 std::string worst_sentence(const ReportRow& row) {
     const recipe::ErrorRecord& e = row.error;
     return fmt::format(
-        "<p>Chosen: <b>{}, {}</b>, {}. Largest error <b>{} R</b> = {:.3g} mm, in clip <b>{}</b> at {:.3f} s, "
+        "<p>Chosen: <b>{}, {}</b>, {}. Largest error <b>{} R</b> = {}, in clip <b>{}</b> at {:.3f} s, "
         "mesh {}, "
         "vertex {}, because of bone <b>{}</b>.</p>\n",
         html_text(row.form), html_text(row.rows), decimal_bytes(static_cast<double>(row.bytes)),
-        short_error(e.max), base::widened(e.max_m) * 1e3, html_text(e.clip, 64), e.time_s,
+        short_error(e.max), length_text(base::widened(e.max_m)), html_text(e.clip, 64), e.time_s,
         html_text(e.mesh, 64), e.vertex, html_text(e.bone, 64));
 }
 

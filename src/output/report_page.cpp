@@ -107,8 +107,8 @@ svg .hs { font-size: 10.5px; text-anchor: middle; }
 .ho { fill: transparent; }
 .ho:hover { stroke: var(--ink); }
 .wide { overflow-x: auto; }
-table { border-collapse: collapse; font-size: 13px; font-variant-numeric: tabular-nums; margin: 6px 0; min-width: 100%; }
-th, td { padding: 3px 7px; text-align: right; white-space: nowrap; border-bottom: 1px solid var(--faint); }
+table { border-collapse: collapse; font-size: 12.5px; font-variant-numeric: tabular-nums; margin: 6px 0; min-width: 100%; }
+th, td { padding: 3px 6px; text-align: right; white-space: nowrap; border-bottom: 1px solid var(--faint); }
 th { color: var(--soft); font-weight: 600; border-bottom-color: var(--line); vertical-align: bottom; white-space: normal; }
 .l { text-align: left; }
 .sorts th { cursor: pointer; }

@@ -39,6 +39,11 @@ std::string three_digits(double value) {
     return fmt::format("{:.3g}", value);
 }
 
+std::string millimetres(float metres) {
+    const double mm = base::widened(metres) * 1e3;
+    return mm >= 999.5 ? fmt::format("{:.0f}", mm) : three_digits(mm);
+}
+
 std::string place_of(const recipe::ErrorRecord& error) {
     return fmt::format("{} {:.2f} s, {}", html_text(error.clip, 24), error.time_s, html_text(error.bone, 24));
 }
@@ -64,7 +69,7 @@ std::string forms_table(const AnimalReport& animal) {
         const recipe::ErrorRecord& e = row.error;
         table.add({html_text(row.form), html_text(row.rows) + (row.is_chosen ? " (chosen)" : ""),
                    base::grouped(row.bytes), short_error(e.max), short_error(e.p999), short_error(e.rms),
-                   three_digits(base::widened(e.max_m) * 1e3), three_digits(base::widened(e.normal_max_deg)),
+                   millimetres(e.max_m), three_digits(base::widened(e.normal_max_deg)),
                    three_digits(base::widened(e.normal_p999_deg)),
                    fmt::format("{:.2f}", row.decode_ns_per_vertex), std::to_string(row.fetches),
                    std::to_string(row.alu_operations), fmt::format("{:.1f}", row.bake_ms), place_of(e)},
@@ -125,8 +130,8 @@ std::string overview_table(const Report& report) {
                    std::to_string(animal.clips.size()), three_digits(base::widened(animal.radius_m)),
                    html_text(row->form), html_text(row->rows), base::grouped(row->bytes),
                    short_error(row->error.max), short_error(row->error.p999), short_error(row->error.rms),
-                   three_digits(base::widened(row->error.max_m) * 1e3),
-                   three_digits(base::widened(row->error.normal_p999_deg)), place_of(row->error)});
+                   millimetres(row->error.max_m), three_digits(base::widened(row->error.normal_p999_deg)),
+                   place_of(row->error)});
     }
     return table.finish();
 }
@@ -148,7 +153,7 @@ std::string clips_table(const AnimalReport& animal) {
         table.add({html_text(clip.name, 48), std::to_string(clip.row_count),
                    three_digits(base::widened(clip.rate_hz)), three_digits(base::widened(clip.period_s)),
                    html_text(clip.wrap), short_error(clip.error.max), short_error(clip.error.p999),
-                   short_error(clip.error.rms), three_digits(base::widened(clip.error.max_m) * 1e3),
+                   short_error(clip.error.rms), millimetres(clip.error.max_m),
                    three_digits(base::widened(clip.error.normal_max_deg)),
                    fmt::format("{:.2f}", clip.error.time_s), html_text(clip.error.bone, 48)});
     return table.finish();

@@ -30,4 +30,12 @@ struct ReportTotal {
 // of them, or where they differ from animal to animal one more at the end.
 std::vector<ReportTotal> report_totals(const Report& report);
 
+// Totals that can be compared with each other: all over the same animals, those that have every pair that
+// more than half of the animals have.
+struct ComparableTotals {
+    std::vector<ReportTotal> totals;
+    std::vector<std::string> left_out;  // ids of the animals that lack such a pair
+};
+ComparableTotals comparable_totals(const Report& report);
+
 }  // namespace posepack::output

@@ -67,6 +67,12 @@ TEST(LogAxis, TextOfTicksAndNumbers) {
     EXPECT_EQ(decimal_bytes(380'928), "380.9 kB");
     EXPECT_EQ(decimal_bytes(999'949), "999.9 kB");
     EXPECT_EQ(decimal_bytes(999'950), "1 MB");
+    EXPECT_EQ(length_text(2.69), "2.69 m");
+    EXPECT_EQ(length_text(12'345.0), "12345 m");
+    EXPECT_EQ(length_text(0.9996), "1 m");
+    EXPECT_EQ(length_text(0.0317), "31.7 mm");
+    EXPECT_EQ(length_text(4.2e-6), "4.2 \u00b5m");
+    EXPECT_EQ(length_text(0.0), "0 mm");
     EXPECT_EQ(short_error(0.0542), "5.42e-2");
     EXPECT_EQ(short_error(0.2), "2.00e-1");
     EXPECT_EQ(short_error(1.0), "1.00e0");

@@ -199,6 +199,20 @@ TEST(ReportTotals, DifferentChoicesAreATotalOfTheirOwn) {
     EXPECT_TRUE(report_totals(Report{}).empty());
 }
 
+TEST(ReportTotals, ComparesOverAnimalsThatHaveTheSame) {
+    Report report = sample();
+    report.animals[1].rows.pop_back();                            // cannot have what most have
+    report.animals[2].rows.push_back(row("mat4", "7 Hz", 9, 1));  // has what no other has
+    const ComparableTotals found = comparable_totals(report);
+    EXPECT_EQ(found.left_out, std::vector<std::string>{"elk"});
+    ASSERT_EQ(found.totals.size(), 3u) << "without the one of a single animal";
+    for (const ReportTotal& total : found.totals) EXPECT_EQ(total.animal_count, 2u);
+    EXPECT_EQ(found.totals[0].bytes, 6000u);
+    EXPECT_TRUE(found.totals[0].is_chosen);
+    EXPECT_TRUE(comparable_totals(sample()).left_out.empty());
+    EXPECT_TRUE(holds(report_html(report), "Left out: elk."));
+}
+
 TEST(ReportWriters, AnEmptyReportIsStillWhole) {
     EXPECT_TRUE(holds(report_html(Report{}), "</html>"));
     EXPECT_TRUE(holds(report_json(Report{}, -1), "\"animals\":[]"));
