@@ -11,6 +11,7 @@
 #include "measure/decode_cost.hpp"
 #include "measure/shader_cost.hpp"
 #include "motion/skin_set.hpp"
+#include "output/report_heat.hpp"
 #include "posepack/loader.h"
 
 namespace posepack::bake {
@@ -19,7 +20,7 @@ namespace {
 constexpr recipe::Encoding kEncodings[] = {recipe::Encoding::mat4, recipe::Encoding::affine,
                                            recipe::Encoding::dualquat};
 constexpr recipe::TexelFormat kFormats[] = {recipe::TexelFormat::rgba32f, recipe::TexelFormat::rgba16f};
-constexpr std::uint32_t kHeatColumns = 200;
+constexpr std::uint32_t kHeatColumns = 200;  // of each band of clips that is drawn
 
 // How an entry is to be baked, and what that is called.
 struct Scheme {
@@ -127,12 +128,14 @@ base::Result<output::AnimalReport> report_animal(const recipe::AnimalEntry& entr
     const auto animal = animal::read_animal(glb);
     if (!animal) return base::at(entry.model, animal.issue());
     const motion::SkinSet points = motion::unique_points(animal.value());
+    const auto bands = static_cast<std::uint32_t>(1 + animal.value().clips.size() / output::kHeatClips);
+    const std::uint32_t heat_columns = kHeatColumns * bands;
     output::AnimalReport report;
     report.id = entry.id;
     for (const Scheme& scheme : schemes_of(entry, options.rates_hz)) {
         if (auto status = base::check_interrupt(); !status) return status.issue();
         AnimalOptions how;
-        if (scheme.is_chosen && options.with_heat) how.heat_columns = kHeatColumns;
+        if (scheme.is_chosen && options.with_heat) how.heat_columns = heat_columns;
         const auto baked = bake_animal(scheme.entry, glb, how);
         if (!baked) {
             if (baked.issue().code != base::IssueCode::lim_similarity) return baked.issue();

@@ -167,6 +167,30 @@ TEST(ReportHeat, DrawsTheBonesThatErrMost) {
     EXPECT_FALSE(holds(svg, "nan")) << "a clip may last no time";
 }
 
+TEST(ReportHeat, LongNamesKeepBothEnds) {
+    const HeatMap heat{{"root"},
+                       {{"1H_Melee_Attack_Chop", {0.0, 1.0}, {0.0f}},
+                        {"\xC3\xA9\xC3\xA9\xC3\xA9\xC3\xA9\xC3\xA9\xC3\xA9\xC3\xA9\xC3\xA9\xC3\xA9\xC3\xA9z",
+                         {0.0, 1.0},
+                         {0.0f}}}};
+    const std::string svg = heat_svg(heat, "knight", 1.0);
+    EXPECT_TRUE(holds(svg, ">1H_Melee_A...k_Chop<"));
+    EXPECT_TRUE(holds(svg, ">\xC3\xA9\xC3\xA9\xC3\xA9\xC3\xA9\xC3\xA9...\xC3\xA9\xC3\xA9z<"))
+        << "whole characters";
+}
+
+TEST(ReportHeat, ManyClipsStandInBands) {
+    for (const std::size_t clips : {std::size_t{1}, kHeatClips, kHeatClips + 1, 3 * kHeatClips + 4}) {
+        HeatMap heat{{"root", "spine"}, {}};
+        for (std::size_t c = 0; c < clips; ++c)
+            heat.clips.push_back({"Clip", {0.0, c % 5 == 0 ? 0.0 : 1.0}, {0.0f, 0.01f}});
+        const std::string svg = heat_svg(heat, "knight", 1.0);
+        EXPECT_EQ(count_of(svg, "class=\"hb\""), 2 * ((clips + kHeatClips - 1) / kHeatClips)) << clips;
+        EXPECT_EQ(count_of(svg, "class=\"hf\""), clips);
+        EXPECT_FALSE(holds(svg, "h-0.0z") || holds(svg, "h--")) << "every clip has a width";
+    }
+}
+
 TEST(ReportTotals, SumBytesAndSpreadErrors) {
     Report report = sample();
     report.animals[1].rows.pop_back();
