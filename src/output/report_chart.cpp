@@ -139,7 +139,7 @@ class Drawing {
         if (point.is_chosen)
             add("<circle class=\"ch\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"9.5\"/>", places_[i].x, places_[i].y);
         add("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"/></g>\n", places_[i].x, places_[i].y,
-            point.is_hollow ? "5" : "4.2");
+            point.is_hollow ? "5.6" : "3.8");
     }
 
     void draw_labels() {

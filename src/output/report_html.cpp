@@ -148,10 +148,10 @@ std::string legend_of(const Series& series) {
             fmt::format("<li><svg viewBox=\"0 0 26 18\" aria-hidden=\"true\">{}</svg>{}</li>", drawing, text);
     };
     for (const std::string& name : series.names())
-        add(fmt::format("<g class=\"p s{}\"><circle cx=\"13\" cy=\"9\" r=\"4.2\"/></g>", series.of(name)),
+        add(fmt::format("<g class=\"p s{}\"><circle cx=\"13\" cy=\"9\" r=\"3.8\"/></g>", series.of(name)),
             html_text(name));
-    add("<g class=\"p s0 o\"><circle cx=\"13\" cy=\"9\" r=\"5\"/></g>", "ring: RGBA32F, disc: RGBA16F");
-    add("<path class=\"fr\" d=\"M2 3V9H13V15H24\"/>", "Pareto front: nothing is better in both");
+    add("<g class=\"p s0 o\"><circle cx=\"13\" cy=\"9\" r=\"5.6\"/></g>", "ring: RGBA32F, disc: RGBA16F");
+    add("<path class=\"fr\" d=\"M1 4H13V14H25\"/>", "Pareto front: nothing is better in both");
     add("<g class=\"p\"><circle class=\"ch\" cx=\"13\" cy=\"9\" r=\"7\"/></g>",
         "what a bake of the catalog writes");
     return out + "</ul>\n";

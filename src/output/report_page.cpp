@@ -49,7 +49,7 @@ section { background: var(--card); border: 1px solid var(--line); border-radius:
 .tiles dd { margin: 0; font-size: 21px; font-weight: 650; line-height: 1.25; }
 .tiles small { display: block; color: var(--soft); font-size: 12.5px; font-weight: 400; overflow-wrap: anywhere; }
 dl { margin: 0; }
-.pick { position: absolute; opacity: 0; pointer-events: none; }
+.pick { position: fixed; top: 0; left: 0; opacity: 0; pointer-events: none; }
 nav { position: sticky; top: 0; z-index: 2; background: var(--page); border-bottom: 1px solid var(--line); margin-top: 14px; }
 nav > div { max-width: 1240px; margin: 0 auto; padding: 8px 20px; display: flex; flex-wrap: wrap; gap: 6px 22px; align-items: center;
   font-size: 14px; }
@@ -188,24 +188,28 @@ constexpr std::string_view kScript = R"js(
     }
   }
 
-  const animals = [...document.querySelectorAll('section.animal')];
+  // One animal alone: by the list, or by an address that ends with "#only-a3".
   const chooser = document.getElementById('animal');
   const show = (id) => {
-    for (const section of animals) section.hidden = id !== '' && section.id !== id;
+    chooser.value = id;
+    for (const section of document.querySelectorAll('section.animal')) section.hidden = id !== '' && section.id !== id;
     for (const section of document.querySelectorAll('section.all')) section.hidden = id !== '';
   };
-  if (chooser) {
-    chooser.parentNode.hidden = false;
-    chooser.addEventListener('change', () => {
-      show(chooser.value);
-      scrollTo(0, 0);
-    });
-    addEventListener('hashchange', () => {
-      if (chooser.value !== '') show(chooser.value = '');
-      const target = document.getElementById(location.hash.slice(1));
-      if (target) target.scrollIntoView();
-    });
-  }
+  const follow = () => {
+    const only = location.hash.startsWith('#only-') ? location.hash.slice(6) : '';
+    const isKnown = [...chooser.options].some((option) => option.value === only);
+    show(isKnown ? only : '');
+    const target = document.getElementById(location.hash.slice(1));
+    if (target) target.scrollIntoView();
+  };
+  chooser.parentNode.hidden = false;
+  chooser.addEventListener('change', () => {
+    history.replaceState(null, '', chooser.value === '' ? '#' : `#only-${chooser.value}`);
+    show(chooser.value);
+    scrollTo(0, 0);
+  });
+  addEventListener('hashchange', follow);
+  if (location.hash !== '') follow();
   addEventListener('beforeprint', () => {
     for (const folded of document.querySelectorAll('details')) folded.open = true;
   });
