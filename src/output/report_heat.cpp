@@ -175,8 +175,7 @@ class HeatDrawing {
             if (heat_class(error) == 0) continue;
             const std::vector<double>& edges_s = heat_.clips[c].edges_s;
             add("<path class=\"ho\" d=\"M{:.1f} {}h{:.1f}v{}h-{:.1f}z\"><title>{}, {}: {} R = {} at "
-                "{:.2f} "
-                "s</title></path>\n",
+                "{:.2f} s</title></path>\n",
                 spans_[c].left, y_of(spans_[c].band, line), spans_[c].width, kLineHeight, spans_[c].width,
                 html_text(heat_.bones[bones_[line]], 64), html_text(heat_.clips[c].name, 64),
                 short_error(base::widened(error)), length_text(static_cast<double>(error) * radius_m_),
