@@ -249,6 +249,15 @@ base::Result<Palette> make_palette(const recipe::AnimalEntry& entry, const Anima
     return palette;
 }
 
+// Bins of equal width over all clips, `columns` of them in all.
+base::Result<measure::ErrorHeat> heat_of(const Animal& animal, const Palette& palette,
+                                         std::span<const std::uint8_t> container,
+                                         const motion::SkinSet& points, std::uint32_t columns) {
+    double total_s = 0.0;
+    for (const palette::PaletteClip& clip : palette.clips) total_s += clip.plan.duration_s;
+    return measure::measure_heat(animal, palette, container, points, total_s > 0.0 ? total_s / columns : 1.0);
+}
+
 }  // namespace
 
 base::Status check_own_bytes(std::span<const std::uint8_t> container) {
@@ -287,6 +296,12 @@ base::Result<BakedAnimal> bake_animal(const recipe::AnimalEntry& entry, std::spa
         auto stats =
             measure::measure_error(animal.value(), palette.value(), baked.container, points, normals);
         if (!stats) return base::at(entry.id, stats.issue());
+        if (options.heat_columns > 0) {
+            auto heat =
+                heat_of(animal.value(), palette.value(), baked.container, points, options.heat_columns);
+            if (!heat) return base::at(entry.id, heat.issue());
+            baked.heat = std::move(heat).value();
+        }
         palette::store_errors(baked.container, stats.value().clips);
         baked.record = describe(entry, animal.value(), palette.value(), &stats.value());
     } else {

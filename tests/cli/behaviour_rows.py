@@ -17,7 +17,7 @@ OPTIONS = {
     "bake": CATALOG_OPTIONS | OUTPUT_OPTIONS | {
         "--output", "--strict", "--allow-data-uris", "--keep-going", "--compare-vat", "--no-measure", "--no-fsync", "--jobs",
         "--lock-timeout", "--format", "--max-error", "--p999-error", "--rms-error"},
-    "report": CATALOG_OPTIONS | {"--rates", "--format"},
+    "report": CATALOG_OPTIONS | {"--rates", "--output", "--format", "--heat-map", "--max-error", "--p999-error", "--rms-error"},
     "compare": CATALOG_OPTIONS | {"--rate", "--copies", "--format"},
     "inspect": {"--bones", "--row", "--phase", "--clip", "--bone", "--format"},
     "verify": {"--strict", "--format"},
