@@ -8,6 +8,8 @@
 #include <cmath>
 
 #include "measure/skin_difference.hpp"
+#include "measure/test_times.hpp"
+#include "palette/moments.hpp"
 #include "posepack/loader.h"
 
 namespace posepack::measure {
@@ -18,8 +20,11 @@ using motion::Affine;
 using motion::SkinSet;
 using palette::ClipError;
 
-constexpr double kEqualTimesS = 1e-6;
 constexpr double kDegrees = 180.0 / 3.14159265358979323846;
+// Bends of dual quaternions that a second look at the quarters is worth: in R, and of the largest error found half
+// way, where a bend shows nothing.
+constexpr double kWorthLooking = 3e-4;
+constexpr double kShareWorthLooking = 0.5;
 
 // The largest value so far, the time it was seen and the set entry it was seen at.
 struct Worst {
@@ -38,6 +43,7 @@ struct Tally {
     Histogram distances, half_tangents;  // squared
     double sum = 0.0;                    // of squared distances
     std::uint64_t point_samples = 0, normal_samples = 0;
+    unsigned weight = 1;  // in a sum of tallies: a clip that is looked at twice as finely counts half as much
 
     void clear() {
         distances.clear();
@@ -46,11 +52,11 @@ struct Tally {
         point_samples = normal_samples = 0;
     }
     void add(const Tally& other) {
-        distances.add(other.distances);
-        half_tangents.add(other.half_tangents);
-        sum += other.sum;
-        point_samples += other.point_samples;
-        normal_samples += other.normal_samples;
+        distances.add(other.distances, other.weight);
+        half_tangents.add(other.half_tangents, other.weight);
+        sum += other.weight * other.sum;
+        point_samples += other.weight * other.point_samples;
+        normal_samples += other.weight * other.normal_samples;
     }
 };
 
@@ -82,6 +88,12 @@ Affine affine_of(const float* matrix) {
     return out;
 }
 
+SkinSet scaled(SkinSet points, double factor) {
+    for (auto& vector : points.vectors)
+        for (float& c : vector) c = static_cast<float>(c * factor);
+    return points;
+}
+
 // Measures one clip after the other with buffers that are made once.
 class ClipMeter {
  public:
@@ -89,9 +101,11 @@ class ClipMeter {
               const SkinSet& points, const SkinSet& normals)
         : animal_(animal),
           palette_(palette),
-          points_(points),
+          inverse_radius_(palette.radius > 0.0 ? 1.0 / palette.radius : 1.0),
+          points_(scaled(points, inverse_radius_)),
           normals_(normals),
           view_(view),
+          moments_(palette::bone_moments(points, palette.spaces, animal.bones.size(), palette.reach())),
           bones_(animal.bones.size()),
           blended_(animal.bones.size() * 12) {
         difference_.values.resize(animal.bones.size() * 12 * kLanes);
@@ -101,9 +115,39 @@ class ClipMeter {
     // Errors: E-LIM-WORK, before the work is done.
     base::Result<ClipError> measure(const palette::PaletteClip& clip, Tally& tally) {
         motion::ClipSampler sampler(animal_, animal_.clips[clip.source]);
-        const std::vector<double> times_s = test_times_s(clip.plan, sampler.key_times_s());
+        if (sampler.has_splines()) return measure(clip, sampler, Parts::quarters, tally);
+        auto error = measure(clip, sampler, Parts::halves, tally);
+        if (!error || !may_bend(clip)) return error;
+        const double bend = largest_bend(animal_, palette_, clip, sampler, moments_);
+        if (bend < std::max(kWorthLooking, kShareWorthLooking * static_cast<double>(error.value().max)))
+            return error;
+        tally.clear();
+        return measure(clip, sampler, Parts::quarters, tally);
+    }
+
+    // The figures of a tally; places are left out.
+    ClipError figures(const Tally& tally) const {
+        ClipError error;
+        error.p999 = static_cast<float>(std::sqrt(static_cast<double>(tally.distances.percentile(0.999))));
+        if (tally.point_samples > 0)
+            error.rms = static_cast<float>(std::sqrt(tally.sum / static_cast<double>(tally.point_samples)));
+        error.normal_p999_deg = static_cast<float>(
+            degrees_of_half_tangent_square(static_cast<double>(tally.half_tangents.percentile(0.999))));
+        error.normal_rms_deg = static_cast<float>(std::sqrt(tally.half_tangents.mean([](double square) {
+            const double degrees = degrees_of_half_tangent_square(square);
+            return degrees * degrees;
+        })));
+        return error;
+    }
+
+ private:
+    base::Result<ClipError> measure(const palette::PaletteClip& clip, motion::ClipSampler& sampler,
+                                    Parts parts, Tally& tally) {
+        const std::vector<double> times_s =
+            test_times_s(clip.plan, sampler.key_times_s(), sampler.jump_times_s(), parts);
         if (auto status = take_samples(times_s.size(), animal_.clips[clip.source].name); !status)
             return status.issue();
+        tally.weight = parts == Parts::halves ? 2 : 1;
         Worst worst_point, worst_normal;
         for (std::size_t first = 0; first < times_s.size(); first += kLanes) {
             const auto batch = std::span(times_s).subspan(first, std::min(kLanes, times_s.size() - first));
@@ -120,25 +164,12 @@ class ClipMeter {
         return error;
     }
 
-    // The figures of a tally; places are left out.
-    ClipError figures(const Tally& tally) const {
-        const double radius = palette_.radius > 0.0 ? palette_.radius : 1.0;
-        ClipError error;
-        error.p999 =
-            static_cast<float>(std::sqrt(static_cast<double>(tally.distances.percentile(0.999))) / radius);
-        if (tally.point_samples > 0)
-            error.rms =
-                static_cast<float>(std::sqrt(tally.sum / static_cast<double>(tally.point_samples)) / radius);
-        error.normal_p999_deg = static_cast<float>(
-            degrees_of_half_tangent_square(static_cast<double>(tally.half_tangents.percentile(0.999))));
-        error.normal_rms_deg = static_cast<float>(std::sqrt(tally.half_tangents.mean([](double square) {
-            const double degrees = degrees_of_half_tangent_square(square);
-            return degrees * degrees;
-        })));
-        return error;
+    // Whether blends between rows may leave the arc of an even turn.
+    bool may_bend(const palette::PaletteClip& clip) const {
+        return palette_.layout.encoding == POSEPACK_ENCODING_DUALQUAT && !clip.plan.step &&
+               clip.plan.row_count > 1;
     }
 
- private:
     base::Status take_samples(std::size_t time_count, const std::string& clip) {
         const std::uint64_t wanted = std::uint64_t{time_count} * (points_.size() + normals_.size());
         if (wanted > samples_left_)
@@ -151,7 +182,7 @@ class ClipMeter {
         return {};
     }
 
-    // Exact matrices, and their difference to what is read, at one time.
+    // Exact matrices, and their difference to what is read with lengths in units of R, at one time.
     void fill_lane(motion::ClipSampler& sampler, const palette::PaletteClip& clip, double time_s,
                    std::size_t lane) {
         sampler.sample(time_s, bones_);
@@ -164,8 +195,9 @@ class ClipMeter {
             const Affine found = palette_.spaces.leave(b, affine_of(&blended_[b * 12]));
             for (int r = 0; r < 3; ++r) {
                 for (int c = 0; c < 4; ++c) {
-                    const double difference = c < 3 ? found.linear[c][r] - bones_[b].linear[c][r]
-                                                    : found.translation[r] - bones_[b].translation[r];
+                    const double difference =
+                        c < 3 ? found.linear[c][r] - bones_[b].linear[c][r]
+                              : (found.translation[r] - bones_[b].translation[r]) * inverse_radius_;
                     const std::size_t e = b * 12 + static_cast<std::size_t>(r * 4 + c);
                     difference_.values[e * kLanes + lane] = static_cast<float>(difference);
                 }
@@ -204,8 +236,7 @@ class ClipMeter {
         if (points_.size() > 0) {
             const Place place = place_of(animal_, points_, point.entry);
             fill_lane(sampler, clip, point.time_s, 0);
-            const double radius = palette_.radius > 0.0 ? palette_.radius : 1.0;
-            error.max = static_cast<float>(std::sqrt(static_cast<double>(point.square)) / radius);
+            error.max = static_cast<float>(std::sqrt(static_cast<double>(point.square)));
             error.p999 = std::min(error.p999, error.max);
             error.time_s = static_cast<float>(point.time_s);
             error.mesh = place.mesh;
@@ -227,9 +258,11 @@ class ClipMeter {
 
     const Animal& animal_;
     const palette::Palette& palette_;
-    const SkinSet& points_;
+    double inverse_radius_;
+    SkinSet points_;  // in units of R, as all lengths here: squares of tiny ones would vanish
     const SkinSet& normals_;
     const posepack_view& view_;
+    std::vector<palette::BoneMoment> moments_;
     std::vector<Affine> bones_;
     std::vector<float> blended_;
     LaneMatrices difference_, exact_;
@@ -237,24 +270,6 @@ class ClipMeter {
 };
 
 }  // namespace
-
-std::vector<double> test_times_s(const motion::RowPlan& plan, std::span<const double> key_times_s) {
-    std::vector<double> marks(key_times_s.begin(), key_times_s.end());
-    for (std::uint32_t row = 0; row < plan.row_count; ++row)
-        if (plan.row_time_s(row) <= plan.duration_s) marks.push_back(plan.row_time_s(row));
-    marks.push_back(plan.duration_s);
-    std::sort(marks.begin(), marks.end());
-    // A key that float32 moved by a hair is the row that was meant for it.
-    marks.erase(
-        std::unique(marks.begin(), marks.end(), [](double a, double b) { return b - a < kEqualTimesS; }),
-        marks.end());
-    std::vector<double> times_s;
-    for (std::size_t i = 0; i < marks.size(); ++i) {
-        if (i > 0) times_s.push_back(0.5 * (marks[i - 1] + marks[i]));
-        times_s.push_back(marks[i]);
-    }
-    return times_s;
-}
 
 base::Result<ErrorStats> measure_error(const Animal& animal, const palette::Palette& palette,
                                        std::span<const std::uint8_t> container, const SkinSet& points,
@@ -278,6 +293,8 @@ base::Result<ErrorStats> measure_error(const Animal& animal, const palette::Pale
             return base::Issue{base::IssueCode::lim_float_range, animal.clips[palette.clips[c].source].name,
                                "expected errors that fit a float, found a motion too large to be measured"};
         all.add(one);
+        stats.point_samples += one.point_samples;
+        stats.normal_samples += one.normal_samples;
         if (stats.clips.empty() || error.max > stats.clips[stats.worst_clip].max) stats.worst_clip = c;
         stats.clips.push_back(error);
     }
@@ -289,8 +306,6 @@ base::Result<ErrorStats> measure_error(const Animal& animal, const palette::Pale
     for (const ClipError& clip : stats.clips)
         stats.pooled.normal_max_deg = std::max(stats.pooled.normal_max_deg, clip.normal_max_deg);
     stats.pooled.normal_p999_deg = std::min(pooled.normal_p999_deg, stats.pooled.normal_max_deg);
-    stats.point_samples = all.point_samples;
-    stats.normal_samples = all.normal_samples;
     return stats;
 }
 
