@@ -11,8 +11,8 @@ namespace {
 using motion::Affine;
 
 constexpr double kEqualTimesS = 1e-6;
-// Before a jump: the sampler takes a step 1e-6 s early, for the row that was meant for it.
-constexpr double kBeforeJumpS = 1.5e-6;
+// Beside a jump: the sampler takes a step up to 1e-6 s early, for the row that was meant for it.
+constexpr double kBesideJumpS = 1.5e-6;
 
 // Rows and keys up to the last key.
 std::vector<double> marks_of(const motion::RowPlan& plan, std::span<const double> key_times_s) {
@@ -45,7 +45,8 @@ std::vector<double> test_times_s(const motion::RowPlan& plan, std::span<const do
         times_s.push_back(marks[i]);
     }
     for (const double jump_s : jump_times_s)
-        if (jump_s > kBeforeJumpS) times_s.push_back(jump_s - kBeforeJumpS);
+        for (const double time_s : {jump_s - kBesideJumpS, jump_s + kBesideJumpS})
+            if (time_s > 0.0 && time_s < plan.duration_s) times_s.push_back(time_s);
     std::sort(times_s.begin(), times_s.end());
     return times_s;
 }

@@ -16,7 +16,7 @@ namespace posepack::measure {
 enum class Parts { halves = 2, quarters = 4 };
 
 // Rows, keys and the times between them, seconds from the first key of the clip, rising; and the moments just
-// before the source jumps.
+// before and behind a jump of the source.
 std::vector<double> test_times_s(const motion::RowPlan& plan, std::span<const double> key_times_s,
                                  std::span<const double> jump_times_s = {}, Parts parts = Parts::halves);
 

@@ -35,14 +35,15 @@ bool has_splines(const animal::Clip& clip) {
 std::vector<double> naive_times(const animal::Animal& animal, const palette::PaletteClip& clip) {
     const animal::Clip& source = animal.clips[clip.source];
     std::vector<double> marks{clip.plan.duration_s};
-    std::vector<double> before_jumps;
+    std::vector<double> beside_jumps;
     for (const animal::Channel& channel : source.channels) {
         for (std::uint32_t k = 0; k < channel.key_count; ++k) {
             const double key_s = animal.key_times[channel.first_time + k] - source.start_s;
             marks.push_back(key_s);
             // Every key of the one STEP channel has another value than the one before.
             if (channel.interpolation == animal::Interpolation::step && k > 0)
-                before_jumps.push_back(key_s - 1.5e-6);
+                for (const double t : {key_s - 1.5e-6, key_s + 1.5e-6})
+                    if (t < clip.plan.duration_s) beside_jumps.push_back(t);
         }
     }
     const bool loop = clip.plan.wrap == recipe::Wrap::loop;
@@ -63,7 +64,7 @@ std::vector<double> naive_times(const animal::Animal& animal, const palette::Pal
                     times.push_back(kept[i - 1] + (kept[i] - kept[i - 1]) * part);
         times.push_back(kept[i]);
     }
-    times.insert(times.end(), before_jumps.begin(), before_jumps.end());
+    times.insert(times.end(), beside_jumps.begin(), beside_jumps.end());
     return times;
 }
 

@@ -154,6 +154,17 @@ TEST(KnownErrors, AStepAmongCurvesCountsInFull) {
     EXPECT_NEAR(m.stats.pooled.time_s, 0.5, 1e-5);
 }
 
+// The row at the jump shows what was before, and the blend leaves it only slowly.
+TEST(KnownErrors, AJumpBetweenTwoKeysOfOneTimeCountsInFull) {
+    ModelSpec spec = support::one_bone();
+    const float jump_s = 0.5f;
+    const float next_s = std::nextafter(jump_s, 1.0f);
+    spec.clips = {{"Leap",
+                   {{0, "translation", {0, jump_s, next_s, 1}, {0, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0}}}}};
+    const Measured m = measured(spec, support::in_floats(), {30.0, recipe::Wrap::once, {}});
+    EXPECT_NEAR(m.stats.pooled.max * m.baked.palette.radius, 1.0, 1e-3);
+}
+
 // A spline that leaves and reaches both keys with one slope crosses the blend half way: u (1 - u) (1 - 2 u).
 TEST(KnownErrors, ASplineIsLookedAtBesideItsMiddle) {
     ModelSpec spec = support::one_bone();

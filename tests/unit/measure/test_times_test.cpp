@@ -47,12 +47,17 @@ TEST(TestTimes, OfAKeyAndTheRowThatWasMeantForItOne) {
     for (std::size_t i = 1; i < times.size(); ++i) EXPECT_GT(times[i] - times[i - 1], 0.4 / 24);
 }
 
-TEST(TestTimes, LookAtAJumpFromBefore) {
+TEST(TestTimes, LookAtAJumpFromBothSides) {
     const std::vector<double> times =
-        test_times_s(plan_of(3, 1, 1, recipe::Wrap::once), std::vector{0.4}, std::vector{0.4, 0.0});
-    EXPECT_EQ(std::count_if(times.begin(), times.end(), [](double t) { return t < 0.4 && t > 0.399998; }), 1);
-    EXPECT_EQ(times.front(), 0.0) << "nothing lies before the clip";
-    EXPECT_EQ(times.size(), 8u) << "four marks, three middles, and the jump";
+        test_times_s(plan_of(3, 1, 1, recipe::Wrap::once), std::vector{0.4}, std::vector{0.4, 0.0, 1.0});
+    const auto near = [&times](double jump_s) {
+        return std::count_if(times.begin(), times.end(),
+                             [jump_s](double t) { return t != jump_s && std::abs(t - jump_s) < 2e-6; });
+    };
+    EXPECT_EQ(near(0.4), 2);
+    EXPECT_EQ(near(0.0), 1) << "nothing lies before the clip";
+    EXPECT_EQ(near(1.0), 1) << "nor behind it";
+    EXPECT_EQ(times.size(), 7u + 4);
     EXPECT_TRUE(std::is_sorted(times.begin(), times.end()));
 }
 
