@@ -8,16 +8,15 @@
 namespace posepack::stress {
 namespace {
 
-// Three strides a second: what a phase that is off by a row does is plain to see.
 RawModel run() {
     const RawModel model = reed();
-    return with_clip(model, swaying(model, grid(11, 30.0), 20.0, 1.0 / 3.0));
+    return with_clip(model, swaying(model, grid(22, kKeyHz), kSwayDegrees, 0.7));
 }
 
 // 2,101 rows of a clip that sways all the time.
 RawModel rows_2101() {
     const RawModel model = reed({.joints = 2, .rings = 5});
-    return with_clip(model, swaying(model, grid(2'101, 30.0), 20.0, 1.0));
+    return with_clip(model, swaying(model, grid(2'101, kKeyHz), kSwayDegrees, 1.0));
 }
 
 constexpr double kHourS = 3'600.0;

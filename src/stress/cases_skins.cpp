@@ -14,7 +14,7 @@ using base::IssueCode;
 // A wave that runs along a chain of 2 m and curls it.
 RawModel wave_on(int joints) {
     const RawModel model = reed({.joints = joints, .length = 2.0, .thickness = 0.05, .rings = 2 * joints + 1});
-    return with_clip(model, swaying(model, grid(31, 30.0), 160.0 / joints, 1.0));
+    return with_clip(model, swaying(model, grid(31, kKeyHz), 160.0 / joints, 1.0));
 }
 RawModel wave_on_8() {
     return wave_on(8);
@@ -28,7 +28,7 @@ RawModel wave_on_128() {
 
 RawModel swaying_reed(const Vec3& foot = Vec3(0.0)) {
     const RawModel model = reed({.foot = foot});
-    return with_clip(model, swaying(model, grid(31, 30.0), 20.0, 1.0));
+    return with_clip(model, swaying(model, grid(31, kKeyHz), kSwayDegrees, 1.0));
 }
 
 // Without repair these draw the body a part of the way to the origin.
@@ -89,7 +89,7 @@ constexpr std::array kCases = {
     StressCase{"singular_inverse_bind", "an inverse bind that flattens: legal, and no similarity",
                singular_inverse_bind, {}, kUsual, {kSwitchesForm}},
     StressCase{"inverse_bind_is_nan", "an inverse bind that is no number", inverse_bind_is_nan, {}, kUsual,
-               {refuses(IssueCode::glb_ibm)}},
+               {refuses(IssueCode::glb_number)}},
 };
 
 }  // namespace

@@ -53,6 +53,10 @@ double decayed(double x);
 std::vector<RawChannel> swaying(const RawModel& model, const std::vector<float>& times_s, double degrees,
                                 double period_s);
 
+// The usual motion: a cycle a second, 15 degrees a joint, keys on a grid.
+inline constexpr double kSwayDegrees = 15.0;
+inline constexpr double kKeyHz = 30.0;
+
 // A body with one clip.
 RawModel with_clip(RawModel model, std::vector<RawChannel> channels);
 
