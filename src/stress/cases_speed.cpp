@@ -119,7 +119,7 @@ RawModel spring_10_ms() {
     return spring(0.01, 40.0, 2'000.0, 0.5);
 }
 RawModel spring_1_ms() {
-    return spring(0.001, 400.0, 20'000.0, 0.3);
+    return spring(0.001, 400.0, 20'000.0, 0.15);
 }
 
 // A bouncing height: the velocity turns round at once, in the middle between two keys of the grid.

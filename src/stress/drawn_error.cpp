@@ -20,6 +20,8 @@ using motion::Affine;
 
 constexpr double kEqualTimesS = 1e-6;     // times closer than this are one
 constexpr double kEdge = 1e-3;            // of a span: how near to its ends it is looked at
+constexpr std::size_t kFewestSteps = 3, kMostSteps = 16;  // in the span between two rows or keys
+constexpr std::size_t kTimesAClip = 6000;                 // beyond it there are fewer steps
 constexpr double kLargestError = 1e30;    // what counts for anything that is not a number
 
 struct Vec {
@@ -194,11 +196,10 @@ void flush_subnormals(const posepack_view& view, std::span<std::uint8_t> contain
 
 class Meter {
  public:
-    Meter(const animal::Animal& animal, const posepack_view& view, const Reader& reader, Density density)
+    Meter(const animal::Animal& animal, const posepack_view& view, const Reader& reader)
         : animal_(animal),
           view_(view),
           reader_(reader),
-          density_(density),
           points_(motion::unique_points(animal)),
           drawing_(animal, view, points_),
           bones_(animal.bones.size()),
@@ -246,10 +247,11 @@ class Meter {
     void look_between(const ReaderClip& clip, motion::ClipSampler& sampler, double duration_s,
                       Errors& errors) {
         const std::vector<double> marks = marks_of(clip.facts, sampler.key_times_s(), duration_s);
-        const auto steps = static_cast<double>(density_.times_a_span);
+        const auto steps = static_cast<unsigned>(
+            std::clamp<std::size_t>(kTimesAClip / marks.size(), kFewestSteps, kMostSteps));
         for (std::size_t i = 1; i < marks.size(); ++i)
-            for (unsigned step = 0; step <= density_.times_a_span; ++step) {
-                const double part = std::clamp(step / steps, kEdge, 1.0 - kEdge);
+            for (unsigned step = 0; step <= steps; ++step) {
+                const double part = std::clamp(static_cast<double>(step) / steps, kEdge, 1.0 - kEdge);
                 const double time_s = marks[i - 1] + part * (marks[i] - marks[i - 1]);
                 look(sampler, time_s, rows_at(clip, time_s, reader_), errors);
             }
@@ -258,7 +260,6 @@ class Meter {
     const animal::Animal& animal_;
     const posepack_view& view_;
     const Reader& reader_;
-    Density density_;
     motion::SkinSet points_;
     Drawing drawing_;
     std::vector<Affine> bones_;
@@ -268,7 +269,7 @@ class Meter {
 }  // namespace
 
 base::Result<DrawnError> measure_drawn(const animal::Animal& animal, std::span<const std::uint8_t> container,
-                                       const Reader& reader, Density density) {
+                                       const Reader& reader) {
     base::Bytes bytes(container.begin(), container.end());
     posepack_view view;
     if (const posepack_result result = posepack_open(&view, bytes.data(), bytes.size());
@@ -278,7 +279,7 @@ base::Result<DrawnError> measure_drawn(const animal::Animal& animal, std::span<c
             fmt::format("expected a container that the loader opens, it answers {} to the one just made",
                         posepack_result_name(result))};
     flush_subnormals(view, bytes);
-    return Meter(animal, view, reader, density).measure();
+    return Meter(animal, view, reader).measure();
 }
 
 }  // namespace posepack::stress

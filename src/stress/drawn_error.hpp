@@ -26,14 +26,10 @@ struct DrawnError {
     Amounts all;   // at the rows and between them
 };
 
-// How finely the time between two rows or keys is looked at.
-struct Density {
-    unsigned times_a_span = 16;  // at least 2
-};
-
-// Measures `container`, the palette of every clip of `animal` in their order.
+// Measures `container`, the palette of every clip of `animal` in their order: at every row, and between two rows or
+// keys at 4 to 17 times, by their number.
 // Errors: E-INTERNAL when the loader refuses the bytes.
 base::Result<DrawnError> measure_drawn(const animal::Animal& animal, std::span<const std::uint8_t> container,
-                                       const Reader& reader, Density density = {});
+                                       const Reader& reader);
 
 }  // namespace posepack::stress

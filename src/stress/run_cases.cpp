@@ -25,8 +25,6 @@ using base::IssueCode;
 // times that it did not look at, and the rounding of the shader.
 constexpr double kSeenShare = 0.97;
 constexpr double kUnseen = 5e-4;  // R
-// Chosen palettes have up to 32 times the rows: fewer times between two of them find as much.
-constexpr Density kChosenDensity{4};
 
 bool is_held(const Amounts& amounts, const Bound& bound) {
     return amounts.max <= bound.max / kSeenShare + kUnseen && amounts.p999 <= bound.p999 / kSeenShare + kUnseen;
@@ -101,7 +99,7 @@ class CaseRun {
 
     // What the loader says of the chosen container, and how far it is off.
     base::Result<Chosen> describe(const base::Bytes& container) const {
-        const auto drawn = measure_drawn(*animal_, container, case_.reader, kChosenDensity);
+        const auto drawn = measure_drawn(*animal_, container, case_.reader);
         if (!drawn) return drawn.issue();
         Chosen chosen;
         chosen.drawn = drawn.value();
