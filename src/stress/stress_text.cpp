@@ -20,17 +20,21 @@ std::string amount(double value) {
 // An error, or the end of the id of what refuses it: "SIMILARITY" of E-LIM-SIMILARITY.
 std::string cell(const FormResult& form) {
     if (!form.refusal) return amount(form.drawn.all.max);
-    return std::string(issue_kind(form.refusal->code).id.substr(2));
+    const std::string_view id = issue_kind(form.refusal->code).id;
+    return std::string(id.substr(id.find('-', 2) + 1));
 }
 
-std::string chosen_with(const CaseResult& result) {
-    if (!result.chosen) return "-";
-    return label_of(result.chosen->form);
-}
-
+// The action, with what was chosen: "switches form to affine 32F, adds rows: 121".
 std::string verdict(const CaseResult& result) {
-    return result.difference.empty() ? text_of(result.found.action)
-                                     : "DIFFERS: " + text_of(result.found.action);
+    std::string text = text_of(result.found.action);
+    const auto put_behind = [&text](std::string_view words, const std::string& what) {
+        if (const auto at = text.find(words); at != std::string::npos) text.insert(at + words.size(), what);
+    };
+    if (result.chosen) {
+        put_behind("switches form", " to " + label_of(result.chosen->form));
+        put_behind("adds rows", fmt::format(": {}", result.chosen->row_count));
+    }
+    return result.difference.empty() ? text : "DIFFERS: " + text;
 }
 
 std::vector<output::Column> form_columns(bool of_default_space) {
@@ -55,15 +59,12 @@ std::vector<std::string> form_cells(const CaseResult& result, bool of_default_sp
 std::string main_table(std::span<const CaseResult> results) {
     TextTable table;
     table.columns = form_columns(true);
-    for (const char* title : {"bound", "reached", "rows"}) table.columns.push_back({title});
-    table.columns.push_back({"with", Align::left});
+    for (const char* title : {"bound", "reached"}) table.columns.push_back({title});
     table.columns.push_back({"what happens", Align::left});
     for (const CaseResult& result : results) {
         std::vector<std::string> cells = form_cells(result, true);
         cells.push_back(amount(result.bound.max));
         cells.push_back(result.chosen ? amount(result.chosen->drawn.all.max) : "-");
-        cells.push_back(result.chosen ? std::to_string(result.chosen->row_count) : "-");
-        cells.push_back(chosen_with(result));
         cells.push_back(verdict(result));
         table.rows.push_back(std::move(cells));
     }
@@ -115,7 +116,7 @@ std::string outcome_text(const CaseResult& result) {
     std::string text = fmt::format("bound: max {} R, p99.9 {} R\nwhat happens: {}\n", amount(result.bound.max),
                                    amount(result.bound.p999), text_of(result.found.action));
     if (result.chosen)
-        text += fmt::format("chosen: {}, {}, {} bytes: max {} R, p99.9 {} R\n", chosen_with(result),
+        text += fmt::format("chosen: {}, {}, {} bytes: max {} R, p99.9 {} R\n", label_of(result.chosen->form),
                             base::counted(result.chosen->row_count, "row"),
                             base::grouped(result.chosen->texel_bytes), amount(result.chosen->drawn.all.max),
                             amount(result.chosen->drawn.all.p999));
