@@ -36,13 +36,15 @@ struct Trial {
     unsigned size() const { return bytes_of(form) * row_factor; }
 };
 
-// Smallest first; of equal sizes the one with fewer rows, whose time is cheaper to bake.
+// Smallest first; of equal sizes the smaller form, whose last row costs less.
 std::vector<Trial> trials() {
     std::vector<Trial> all;
     for (const unsigned factor : kRowFactors)
         for (const Form& form : kForms) all.push_back({form, factor});
     std::stable_sort(all.begin(), all.end(),
-                     [](const Trial& a, const Trial& b) { return a.size() < b.size(); });
+                     [](const Trial& a, const Trial& b) {
+                         return std::pair(a.size(), bytes_of(a.form)) < std::pair(b.size(), bytes_of(b.form));
+                     });
     return all;
 }
 

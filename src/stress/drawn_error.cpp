@@ -12,6 +12,7 @@
 #include "motion/clip_sampler.hpp"
 #include "motion/skin_set.hpp"
 #include "posepack/loader.h"
+#include "stress/row_law.hpp"
 
 namespace posepack::stress {
 namespace {
@@ -33,58 +34,11 @@ Vec transform(const float* m, const Vec& p) {
             m[8] * p.x + m[9] * p.y + m[10] * p.z + m[11]};
 }
 
-// Where a pose is read, rows counted from the container's first.
-struct RowPair {
-    std::uint32_t row0 = 0, row1 = 0;
-    float factor = 0.0f;
-};
-
-// The clip as a reader knows it.
-struct ReaderClip {
-    posepack_clip facts{};
-    std::vector<std::uint32_t> cuts;
-};
-
-// The phase that the shader gets.
-float phase_at(const posepack_clip& clip, double time_s, const Reader& reader) {
-    const bool is_loop = clip.wrap == POSEPACK_WRAP_LOOP;
-    const double period_s = static_cast<double>(clip.period_s);
-    // The clip has been running for whole periods, so that `time_s` of it shows now.
-    const double started_s = is_loop ? std::floor(reader.running_s / period_s) * period_s : reader.running_s;
-    if (!is_loop) {
-        const float passed_s = reader.has_raw_clock ? static_cast<float>(started_s + time_s) -
-                                                          static_cast<float>(started_s)
-                                                    : static_cast<float>(time_s);
-        return std::clamp(passed_s / clip.period_s, 0.0f, 1.0f);
-    }
-    if (reader.has_raw_clock) {
-        const float turns = static_cast<float>(started_s + time_s) / clip.period_s;
-        return turns - std::floor(turns);
-    }
-    const double turns = (started_s + time_s) / period_s;
-    return static_cast<float>(turns - std::floor(turns));
-}
-
+// A row number that travels in a half.
 std::uint32_t through_half(std::uint32_t row, std::uint32_t row_count) {
     const auto read = static_cast<std::uint32_t>(
         posepack_float_from_half(posepack_half_from_float(static_cast<float>(row))));
     return std::min(read, row_count - 1);
-}
-
-// docs/format/posepack-1.md, section 11.
-RowPair rows_at(const ReaderClip& clip, double time_s, const Reader& reader) {
-    const posepack_clip& facts = clip.facts;
-    if (facts.row_count == 1) return {facts.first_row, facts.first_row, 0.0f};
-    const bool is_loop = facts.wrap == POSEPACK_WRAP_LOOP;
-    const float intervals = static_cast<float>(is_loop ? facts.row_count : facts.row_count - 1);
-    const float position = phase_at(facts, time_s, reader) * intervals;
-    const std::uint32_t row = std::min(static_cast<std::uint32_t>(position), facts.row_count - 1);
-    const bool is_held = facts.interpolation == POSEPACK_INTERPOLATION_STEP ||
-                         std::binary_search(clip.cuts.begin(), clip.cuts.end(), row);
-    if (is_held) return {facts.first_row + row, facts.first_row + row, 0.0f};
-    std::uint32_t next = row + 1;
-    if (next == facts.row_count) next = !is_loop ? row : facts.closing_row != 0 ? facts.row_count : 0;
-    return {facts.first_row + row, facts.first_row + next, position - static_cast<float>(row)};
 }
 
 // The vertices of an animal, drawn from a container.
@@ -166,15 +120,9 @@ class Errors {
     std::vector<float> all_;
 };
 
-double row_time_s(const posepack_clip& clip, std::uint32_t row) {
-    if (clip.row_count == 1) return 0.0;
-    const double intervals = clip.wrap == POSEPACK_WRAP_LOOP ? clip.row_count : clip.row_count - 1;
-    return static_cast<double>(clip.period_s) * row / intervals;
-}
-
 // Ends of the spans that are looked at: rows and keys, rising, up to the last key.
-std::vector<double> marks_of(const posepack_clip& clip, std::vector<double> marks, double duration_s) {
-    for (std::uint32_t row = 0; row < clip.row_count; ++row)
+std::vector<double> marks_of(const ReaderClip& clip, std::vector<double> marks, double duration_s) {
+    for (std::uint32_t row = 0; row < clip.facts.row_count; ++row)
         if (row_time_s(clip, row) <= duration_s) marks.push_back(row_time_s(clip, row));
     marks.push_back(duration_s);
     std::sort(marks.begin(), marks.end());
@@ -209,11 +157,7 @@ class Meter {
         Errors rows;
         Errors between;
         for (std::uint32_t c = 0; c < view_.header.clip_count; ++c) {
-            ReaderClip clip;
-            posepack_get_clip(&view_, c, &clip.facts);
-            clip.cuts.resize(clip.facts.cut_count);
-            for (std::uint32_t i = 0; i < clip.facts.cut_count; ++i)
-                posepack_get_cut(&view_, c, i, &clip.cuts[i]);
+            const ReaderClip clip = read_clip(view_, c);
             motion::ClipSampler sampler(animal_, animal_.clips[c]);
             look_at_rows(clip, sampler, animal_.clips[c].duration_s, rows);
             look_between(clip, sampler, animal_.clips[c].duration_s, between);
@@ -237,7 +181,7 @@ class Meter {
     void look_at_rows(const ReaderClip& clip, motion::ClipSampler& sampler, double duration_s,
                       Errors& errors) {
         for (std::uint32_t row = 0; row < clip.facts.row_count; ++row) {
-            const double time_s = row_time_s(clip.facts, row);
+            const double time_s = row_time_s(clip, row);
             if (time_s > duration_s + kEqualTimesS) break;
             const std::uint32_t at = clip.facts.first_row + row;
             look(sampler, time_s, {at, at, 0.0f}, errors);
@@ -246,7 +190,7 @@ class Meter {
 
     void look_between(const ReaderClip& clip, motion::ClipSampler& sampler, double duration_s,
                       Errors& errors) {
-        const std::vector<double> marks = marks_of(clip.facts, sampler.key_times_s(), duration_s);
+        const std::vector<double> marks = marks_of(clip, sampler.key_times_s(), duration_s);
         const auto steps = static_cast<unsigned>(
             std::clamp<std::size_t>(kTimesAClip / marks.size(), kFewestSteps, kMostSteps));
         for (std::size_t i = 1; i < marks.size(); ++i)

@@ -109,7 +109,8 @@ RawChannel scaling(int node, const std::vector<float>& times_s, const std::funct
 double decayed(double x) {
     // exp(-x) = 1 / exp(x / 1024)^1024: the series is exact to a double for small x, and ten squarings follow.
     const double y = x / 1024.0;
-    double power = 1.0 + y * (1.0 + y / 2.0 * (1.0 + y / 3.0 * (1.0 + y / 4.0 * (1.0 + y / 5.0))));
+    double power = 1.0;
+    for (int term = 12; term > 0; --term) power = 1.0 + power * y / term;
     for (int i = 0; i < 10; ++i) power *= power;
     return 1.0 / power;
 }
