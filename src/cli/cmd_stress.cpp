@@ -16,9 +16,14 @@ struct Options {
     stress::RunOptions run;
     std::shared_ptr<Format> format = std::make_shared<Format>(Format::text);
     bool details = false;
+    bool list = false;
 };
 
 int run(const Options& options) {
+    if (options.list) {
+        fmt::print("{}", stress::stress_list());
+        return 0;
+    }
     const auto results = stress::run_cases(options.run);
     if (!results) return fail(results.issue());
     if (*options.format == Format::json)
@@ -49,6 +54,7 @@ Runner add_stress(CLI::App& app) {
     app.add_option("--jobs", options->run.jobs, "Cases at work at once; default 0: one a core")
         ->check(whole_between(0, 1024))
         ->type_name("N");
+    app.add_flag("--list", options->list, "Only name the cases, and say why they are hard");
     app.add_flag("--details", options->details, "Every figure of every form, in both spaces");
     add_format_option(app, options->format, false);
     return [options] { return run(*options); };

@@ -7,6 +7,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "base/trig.hpp"
 #include "measure/skin_difference.hpp"
 #include "measure/test_times.hpp"
 #include "palette/moments.hpp"
@@ -20,7 +21,7 @@ using motion::Affine;
 using motion::SkinSet;
 using palette::ClipError;
 
-constexpr double kDegrees = 180.0 / 3.14159265358979323846;
+constexpr double kDegrees = 180.0 / base::kPi;
 // Bends of dual quaternions that a second look at the quarters is worth: in R, and of the largest error found half
 // way, where a bend shows nothing.
 constexpr double kWorthLooking = 3e-4;
@@ -62,8 +63,8 @@ struct Tally {
 
 // Of the square of the tangent of half the angle.
 double degrees_of_half_tangent_square(double square) {
-    return square >= static_cast<double>(kStraightAngle) ? 180.0
-                                                         : 2.0 * std::atan(std::sqrt(square)) * kDegrees;
+    if (square >= static_cast<double>(kStraightAngle)) return 180.0;
+    return 2.0 * base::arc_tangent(std::sqrt(square)) * kDegrees;
 }
 
 struct Place {

@@ -138,6 +138,18 @@ std::string counts(std::span<const CaseResult> results) {
 
 }  // namespace
 
+std::string stress_list() {
+    std::string text;
+    for (const CaseGroup& group : case_groups()) {
+        TextTable table;
+        table.columns = {{"case", Align::left}, {"why it is hard", Align::left}};
+        for (const StressCase& stress_case : group.cases)
+            table.rows.push_back({std::string(stress_case.name), std::string(stress_case.trouble)});
+        text += fmt::format("{}{}\n\n{}", text.empty() ? "" : "\n", group.title, format_text(table));
+    }
+    return text;
+}
+
 std::string stress_text(std::span<const CaseResult> results) {
     std::string text;
     for_each_group(results, [&text](const CaseGroup& group, std::span<const CaseResult> of_group) {

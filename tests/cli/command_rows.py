@@ -135,6 +135,8 @@ def _stress(case):
     case.equal((text.exit_code, text.stderr), (0, ""), "exit code and stderr")
     for part in ("switches form to affine 16F", "refuses: E-GLB-TIMES", "2 cases: 2 as expected, 0 not."):
         case.contains(text.stdout, part, "text")
+    names = case.run("stress", "--list", writes=())
+    case.contains(names.stdout, "falling_keys ", "list")
     details = case.run("stress", "--only", "shear", "--details", writes=())
     case.contains(details.stdout, "chosen: affine 16F, 31 rows", "details")
     shown = case.run("stress", "--only", "shear", "--format", "json", "--jobs", 1, writes=()).json()

@@ -17,6 +17,17 @@ std::vector<CaseResult> results_of(std::vector<std::string> names, double bound_
     return std::move(results).value();
 }
 
+TEST(StressList, NamesEveryCase) {
+    const std::string text = stress_list();
+    for (const CaseGroup& group : case_groups()) {
+        EXPECT_NE(text.find(std::string(group.title) + "\n"), std::string::npos);
+        for (const StressCase& stress_case : group.cases) {
+            EXPECT_NE(text.find("\n" + std::string(stress_case.name) + " "), std::string::npos);
+            EXPECT_NE(text.find(std::string(stress_case.trouble) + "\n"), std::string::npos);
+        }
+    }
+}
+
 TEST(StressText, HasALineACaseAndSaysWhatHappens) {
     const std::string text = stress_text(results_of({"one_metre", "shear", "falling_keys", "spin_180_a_row"}));
     for (const char* part :
