@@ -164,7 +164,11 @@ typedef struct posepack_bone {
     uint32_t node;   /* glTF node index */
 } posepack_bone;
 
-/* A skinned mesh of the model. Its vertices enter the palette by palette_from_mesh. */
+/*
+ * A mesh of the model. Its vertices enter the palette by palette_from_mesh, in every space: in model space
+ * too it may be another matrix than the identity (a skin that shares the bones of another; format, section
+ * 7).
+ */
 typedef struct posepack_mesh {
     posepack_string name;
     uint32_t node, mesh, skin; /* glTF indices */

@@ -59,13 +59,20 @@ struct Clip {
     double duration_s = 0.0;  // from the first key to the last
 };
 
-// A palette column: the matrix node_global x inverse_bind.
+// A palette column: the matrix node_global x inverse_bind (x the X of the skin where that is folded).
 struct Bone {
     std::string name;
     std::uint32_t node = 0;
     std::uint32_t parent = kNone;  // bone of the nearest ancestor node that has one
     glm::dmat4 inverse_bind{1.0};
     bool weighted = false;  // some vertex has a weight on it
+};
+
+// A skin whose inverse binds are those of other bones times one matrix X, within the rounding of floats: its
+// vertices enter by X and share the bones.
+struct Fold {
+    glm::dmat4 bind_from_mesh{1.0};         // X: mesh space to the space that the bones bind; floats
+    std::vector<glm::dmat4> inverse_binds;  // of each joint, as the file has them
 };
 
 // A node that draws a mesh: with a skin, and then its own transform is ignored (glTF 2.0 section 3.7.3.3);
@@ -76,6 +83,7 @@ struct Mesh {
     std::uint32_t skin = kNone;                      // glTF index; kNone for a rigid mesh
     std::uint32_t first_joint = 0, joint_count = 0;  // into Animal::joint_map
     std::uint32_t first_vertex = 0, vertex_count = 0;
+    std::uint32_t fold = kNone;  // into Animal::folds; kNone: bones bind the mesh as it is
 };
 
 // The vertices of all meshes, primitive by primitive; arrays run in step.
@@ -92,6 +100,7 @@ struct Animal {
     std::vector<Bone> bones;                // in the order of the skins' joints, equal pairs once
     std::vector<std::uint16_t> joint_map;   // bone of each (mesh's skin, joint)
     std::vector<Mesh> meshes;
+    std::vector<Fold> folds;
     Vertices vertices;
     std::vector<Clip> clips;
     std::vector<float> key_times;  // seconds, of all channels

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "animal/bind_skins.hpp"
 #include "animal/names.hpp"
 #include "animal/read_parts.hpp"
 
@@ -13,11 +14,11 @@ namespace {
 using base::Issue;
 using base::IssueCode;
 
-constexpr std::size_t kMaxBones = 1'024;
 constexpr double kAffineTolerance = 1e-5;
 
 struct SkinBones {
     std::uint32_t first_joint = 0, joint_count = 0;
+    std::uint32_t fold = kNone;
 };
 
 base::Result<std::vector<glm::dmat4>> read_inverse_binds(ReadContext& context, const tinygltf::Skin& skin,
@@ -46,32 +47,14 @@ base::Result<std::vector<glm::dmat4>> read_inverse_binds(ReadContext& context, c
     return matrices;
 }
 
-// Finds the bone of an equal (joint, inverse bind) pair, or adds one.
-std::uint32_t bone_of(Animal& animal, std::multimap<std::uint32_t, std::uint32_t>& by_node,
-                      std::uint32_t node, const glm::dmat4& inverse_bind) {
-    const auto [first, last] = by_node.equal_range(node);
-    for (auto it = first; it != last; ++it)
-        if (animal.bones[it->second].inverse_bind == inverse_bind) return it->second;
-    Bone bone;
-    bone.name = animal.nodes[node].name;
-    bone.node = node;
-    bone.inverse_bind = inverse_bind;
-    animal.bones.push_back(bone);
-    const auto index = static_cast<std::uint32_t>(animal.bones.size() - 1);
-    by_node.emplace(node, index);
-    return index;
-}
-
-base::Result<SkinBones> read_skin(ReadContext& context, int index,
-                                  std::multimap<std::uint32_t, std::uint32_t>& by_node) {
+base::Result<SkinBones> read_skin(ReadContext& context, int index, SkinBinder& binder) {
     const std::string where = fmt::format("skins/{}", index);
     const tinygltf::Skin& skin = context.model().skins[static_cast<std::size_t>(index)];
     Animal& animal = context.animal;
     if (skin.joints.empty()) return Issue{IssueCode::glb_skin_joint, where, "expected joints, found none"};
     const auto inverse_binds = read_inverse_binds(context, skin, static_cast<std::size_t>(index), where);
     if (!inverse_binds) return inverse_binds.issue();
-    SkinBones bones{static_cast<std::uint32_t>(animal.joint_map.size()),
-                    static_cast<std::uint32_t>(skin.joints.size())};
+    std::vector<std::uint32_t> nodes;
     for (std::size_t j = 0; j < skin.joints.size(); ++j) {
         const int node = skin.joints[j];
         if (node < 0 || static_cast<std::size_t>(node) >= animal.nodes.size())
@@ -79,13 +62,15 @@ base::Result<SkinBones> read_skin(ReadContext& context, int index,
                 IssueCode::glb_skin_joint, where,
                 fmt::format("expected joints below {}, the count of nodes, found node {} as joint {}",
                             animal.nodes.size(), node, j)};
-        const std::uint32_t bone =
-            bone_of(animal, by_node, static_cast<std::uint32_t>(node), inverse_binds.value()[j]);
-        if (bone >= kMaxBones)
-            return Issue{IssueCode::lim_bones, where,
-                         fmt::format("expected at most {} bones together, found more", kMaxBones)};
-        animal.joint_map.push_back(static_cast<std::uint16_t>(bone));
+        nodes.push_back(static_cast<std::uint32_t>(node));
     }
+    const auto bound = binder.bind(nodes, inverse_binds.value());
+    if (!bound)
+        return Issue{IssueCode::lim_bones, where,
+                     fmt::format("expected at most {} bones together, found more", kMaxBones)};
+    const SkinBones bones{static_cast<std::uint32_t>(animal.joint_map.size()),
+                          static_cast<std::uint32_t>(nodes.size()), bound->fold};
+    animal.joint_map.insert(animal.joint_map.end(), bound->bones.begin(), bound->bones.end());
     return bones;
 }
 
@@ -137,7 +122,7 @@ base::Status read_rigid_meshes(ReadContext& context) {
 base::Status read_skinned_meshes(ReadContext& context) {
     const auto& model = context.model();
     std::map<int, SkinBones> skins;
-    std::multimap<std::uint32_t, std::uint32_t> by_node;
+    SkinBinder binder(context.animal);
     for (std::size_t n = 0; n < model.nodes.size(); ++n) {
         const tinygltf::Node& node = model.nodes[n];
         const std::string where = fmt::format("nodes/{}", n);
@@ -151,7 +136,7 @@ base::Status read_skinned_meshes(ReadContext& context) {
                 IssueCode::glb_reference, where,
                 fmt::format("expected one of {} skins, found index {}", model.skins.size(), node.skin)};
         if (!skins.contains(node.skin)) {
-            const auto bones = read_skin(context, node.skin, by_node);
+            const auto bones = read_skin(context, node.skin, binder);
             if (!bones) return bones.issue();
             skins.emplace(node.skin, bones.value());
         }
@@ -166,6 +151,7 @@ base::Status read_skinned_meshes(ReadContext& context) {
         mesh.skin = static_cast<std::uint32_t>(node.skin);
         mesh.first_joint = bones.first_joint;
         mesh.joint_count = bones.joint_count;
+        mesh.fold = bones.fold;
         context.animal.meshes.push_back(std::move(mesh));
     }
     return {};

@@ -194,7 +194,8 @@ base::Result<Palette> make_palette(const recipe::AnimalEntry& entry, const Anima
                      fmt::format("expected a rest pose with a size, found a radius of {:.3g} m", radius_m)};
     if (auto status = plan_clips(animal, choices.value(), points, palette, findings); !status)
         return status.issue();
-    if (entry.output.is_normalised()) palette.spaces = choose_spaces(animal, palette);
+    palette.spaces =
+        entry.output.is_normalised() ? choose_spaces(animal, palette) : palette::model_space(animal);
     palette::RoundingAids aids;
     aids.halves = palette.spaces.normalised ? palette::Halves::normal : palette::Halves::all;
     aids.moments = palette::bone_moments(points, palette.spaces, animal.bones.size(), palette.reach());

@@ -55,7 +55,7 @@ void look_at_armature(Diagnosis& diagnosis) {
             "winding.");
 }
 
-void look_at_skins(const animal::FileFacts& facts, Diagnosis& diagnosis) {
+void look_at_skins(const Animal& animal, const animal::FileFacts& facts, Diagnosis& diagnosis) {
     std::size_t unbound = 0;
     std::size_t unused = 0;
     for (const animal::SkinFacts& skin : facts.skins) {
@@ -68,6 +68,11 @@ void look_at_skins(const animal::FileFacts& facts, Diagnosis& diagnosis) {
             "origin "
             "when the mesh was bound.",
             counted(unbound, "skin"));
+    if (const std::size_t folded = animal.folds.size(); folded > 0)
+        add(diagnosis, "folded-skins",
+            "{} whose bind pose is that of another, moved as a whole: the two share their bones, so that the "
+            "palette is smaller.",
+            counted(folded, "skin"));
     if (unused > 0) add(diagnosis, "unused-skin", "{} that no mesh uses.", counted(unused, "skin"));
     const auto bones = diagnosis.skeleton->unused_bones.size();
     if (bones > 0)
@@ -167,7 +172,7 @@ void look_at_file(const animal::FileFacts& facts, Diagnosis& diagnosis) {
 void find_oddities(const Animal& animal, Diagnosis& diagnosis) {
     if (diagnosis.facts) {
         look_at_file(*diagnosis.facts, diagnosis);
-        look_at_skins(*diagnosis.facts, diagnosis);
+        look_at_skins(animal, *diagnosis.facts, diagnosis);
     }
     look_at_armature(diagnosis);
     look_at_mesh_nodes(animal, diagnosis);

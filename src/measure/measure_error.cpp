@@ -7,6 +7,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "measure/bindings.hpp"
 #include "measure/skin_difference.hpp"
 #include "posepack/loader.h"
 
@@ -89,13 +90,14 @@ class ClipMeter {
               const SkinSet& points, const SkinSet& normals)
         : animal_(animal),
           palette_(palette),
-          points_(points),
-          normals_(normals),
+          bindings_(animal, palette.spaces),
+          points_(bindings_.bind(points)),
+          normals_(bindings_.bind(normals)),
           view_(view),
           bones_(animal.bones.size()),
           blended_(animal.bones.size() * 12) {
-        difference_.values.resize(animal.bones.size() * 12 * kLanes);
-        exact_.values.resize(animal.bones.size() * 9 * kLanes);
+        difference_.values.resize(bindings_.size() * 12 * kLanes);
+        exact_.values.resize(bindings_.size() * 9 * kLanes);
     }
 
     // Errors: E-LIM-WORK, before the work is done.
@@ -160,18 +162,21 @@ class ClipMeter {
             posepack_blend_row(&view_, clip.first_row + blend.row0, clip.first_row + blend.row1,
                                static_cast<float>(blend.factor), blended_.data());
         assert(result == POSEPACK_OK);
-        for (std::size_t b = 0; b < bones_.size(); ++b) {
-            const Affine found = palette_.spaces.leave(b, affine_of(&blended_[b * 12]));
+        for (std::uint32_t b = 0; b < bindings_.size(); ++b) {
+            const Affine source = bindings_.source(b, bones_, sampler);
+            const Affine found =
+                bindings_.found(b, affine_of(&blended_[std::size_t{bindings_.bone_of(b)} * 12]));
             for (int r = 0; r < 3; ++r) {
                 for (int c = 0; c < 4; ++c) {
-                    const double difference = c < 3 ? found.linear[c][r] - bones_[b].linear[c][r]
-                                                    : found.translation[r] - bones_[b].translation[r];
-                    const std::size_t e = b * 12 + static_cast<std::size_t>(r * 4 + c);
+                    const double difference = c < 3 ? found.linear[c][r] - source.linear[c][r]
+                                                    : found.translation[r] - source.translation[r];
+                    const std::size_t e = std::size_t{b} * 12 + static_cast<std::size_t>(r * 4 + c);
                     difference_.values[e * kLanes + lane] = static_cast<float>(difference);
                 }
                 for (int c = 0; c < 3; ++c)
-                    exact_.values[(b * 9 + static_cast<std::size_t>(r * 3 + c)) * kLanes + lane] =
-                        static_cast<float>(bones_[b].linear[c][r]);
+                    exact_
+                        .values[(std::size_t{b} * 9 + static_cast<std::size_t>(r * 3 + c)) * kLanes + lane] =
+                        static_cast<float>(source.linear[c][r]);
             }
         }
     }
@@ -196,7 +201,7 @@ class ClipMeter {
                 worst = set.bones[entry][k];
             }
         }
-        return worst;
+        return bindings_.bone_of(worst);
     }
 
     void locate(motion::ClipSampler& sampler, const palette::PaletteClip& clip, const Worst& point,
@@ -227,8 +232,8 @@ class ClipMeter {
 
     const Animal& animal_;
     const palette::Palette& palette_;
-    const SkinSet& points_;
-    const SkinSet& normals_;
+    const Bindings bindings_;
+    const SkinSet points_, normals_;  // with bindings in the place of bones
     const posepack_view& view_;
     std::vector<Affine> bones_;
     std::vector<float> blended_;

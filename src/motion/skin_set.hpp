@@ -24,10 +24,12 @@ struct SkinSet {
     std::size_t size() const { return vectors.size(); }
 };
 
-// Different (position, bones, weights).
+// Different (position, bones, weights), positions as the bones bind them: where a skin is folded, behind its
+// X. Vertices of different folds are different.
 SkinSet unique_points(const animal::Animal& animal);
 
-// Different (normal, bones, weights), without zero normals.
+// Different (normal, bones, weights), without zero normals; behind the linear part of X where a skin is
+// folded.
 SkinSet unique_normals(const animal::Animal& animal);
 
 // Points of `set` under linear blend skinning: the sum of weight x bone x point.

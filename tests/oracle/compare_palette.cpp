@@ -17,6 +17,8 @@ constexpr double kLastKeySlackS = 1e-8;
 // Fraction of R that never counts as a rounding: what double precision itself costs.
 constexpr double kDoubleRounding = 1e-12;
 
+constexpr Affine kIdentity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+
 std::string text_of(const posepack_string& string) {
     return {string.data, string.size_bytes};
 }
@@ -183,9 +185,11 @@ void Comparer::compare_joint(const posepack_clip& clip, std::uint32_t row, const
         const Difference difference =
             difference_at(expected, found, point_of(animal_.skins[use.skin].boxes[joint], corner));
         const double roundings = difference.distance / (difference.rounding + kDoubleRounding * radius_);
-        // What was rounded are numbers of palette space; only in model space is it known what that may cost.
-        const bool in_model_space = (view_.header.space_flags & POSEPACK_SPACE_NORMALISED) == 0;
-        if (in_model_space && !(roundings <= result_.roundings))
+        // What was rounded are the numbers that are stored; only where they are the whole matrix (no
+        // normalised space, no folded skin) is it known what that may cost.
+        const bool is_whole =
+            (view_.header.space_flags & POSEPACK_SPACE_NORMALISED) == 0 && use.palette_from_mesh == kIdentity;
+        if (is_whole && !(roundings <= result_.roundings))
             result_.roundings = roundings;  // NaN is largest of all
         note_error(difference.distance / radius_, clip, row, bone);
     }
