@@ -18,10 +18,10 @@
 #define POSEPACK_FORMAT_H
 
 #define POSEPACK_FORMAT_MAJOR 1u
-#define POSEPACK_FORMAT_MINOR 2u /* draft 2 */
+#define POSEPACK_FORMAT_MINOR 3u /* draft 3 */
 
 /* Raised whenever equal inputs may give other bytes than before. */
-#define POSEPACK_BAKE_ABI 2u
+#define POSEPACK_BAKE_ABI 3u
 
 /* Limits of version 1. */
 #define POSEPACK_MAX_FILE_BYTES 268435456u /* 2^28 */
@@ -94,7 +94,7 @@
 #define POSEPACK_ORDER_PLANAR 1u
 #define POSEPACK_ORDER_TRANSPOSED 2u /* named, and refused by this draft */
 
-/* Row schemes. This draft writes and reads uniform rows. */
+/* Row schemes. This draft writes and reads uniform rows and runs; all clips of a file have one scheme. */
 #define POSEPACK_ROWS_UNIFORM 0u
 #define POSEPACK_ROWS_SLOTS 1u
 #define POSEPACK_ROWS_RUNS 2u
@@ -119,6 +119,7 @@
 #define POSEPACK_SECTION_SPAC POSEPACK_FOURCC('S', 'P', 'A', 'C')
 #define POSEPACK_SECTION_STRS POSEPACK_FOURCC('S', 'T', 'R', 'S')
 #define POSEPACK_SECTION_PIXL POSEPACK_FOURCC('P', 'I', 'X', 'L')
+#define POSEPACK_SECTION_RUNS POSEPACK_FOURCC('R', 'U', 'N', 'S')
 #define POSEPACK_SECTION_PROV POSEPACK_FOURCC('p', 'r', 'o', 'v')
 
 #define POSEPACK_TABLE_ALIGN_LOG2 3u /* every section but PIXL */
@@ -229,6 +230,19 @@
 #define POSEPACK_FORWARD_MINUS_Z 1u
 #define POSEPACK_FORWARD_PLUS_X 2u
 #define POSEPACK_FORWARD_MINUS_X 3u
+
+/*
+ * RUNS: a u32 for every bone of every clip, clip by clip: where the bone's run begins, in bone-rows behind
+ * the clip's first texel (20 bits), and its intervals (12 bits); a run of n intervals is n + 1 bone-rows.
+ * Texels are addressed as one line: texel i is at column i % width of line i / width, and the width is a
+ * power of two.
+ */
+#define POSEPACK_RUN_BYTES 4u
+#define POSEPACK_RUN_OFFSET_BITS 20u
+#define POSEPACK_RUN_OFFSET_MASK 0xFFFFFu
+#define POSEPACK_RUN_MAX_INTERVALS 4095u
+#define POSEPACK_RUNS_MIN_WIDTH 64u    /* texels */
+#define POSEPACK_RUNS_MAX_HEIGHT 4096u /* lines: the width is the smallest that keeps below it */
 
 /* STRS: count u32, offsets u32[count + 1] into the bytes that follow; sorted, unique UTF-8. */
 

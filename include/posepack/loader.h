@@ -108,6 +108,7 @@ typedef struct posepack_view {
     const uint8_t* bytes;
     posepack_section sections[POSEPACK_MAX_SECTIONS];
     uint32_t clip_section, stat_section, bone_section, spac_section, strs_section, pixl_section;
+    uint32_t runs_section; /* POSEPACK_NONE under uniform rows */
 } posepack_view;
 
 /* UTF-8 inside the container's bytes; not terminated by a zero. */
@@ -138,7 +139,7 @@ typedef struct posepack_clip {
     uint8_t interpolation;
     uint8_t measured; /* 1: `error` holds measurements */
     uint32_t first_row;
-    uint32_t row_count;
+    uint32_t row_count; /* under runs: of the clip's longest run, its end included */
     uint32_t first_texel;
     uint32_t cut_count;
     float rate_hz;   /* rows a second; 0 for a clip of one row */
@@ -250,12 +251,40 @@ posepack_result posepack_get_texels(const posepack_view* view, posepack_texels* 
 posepack_result posepack_get_section(const posepack_view* view, uint32_t type, const void** data,
                                      size_t* size_bytes);
 
+/* Where the rows of one bone of one clip are: row r (0 to interval_count) begins at texel `texel` + r x
+ * `texel_step`, counted along the lines of the texture (or in a storage buffer under a tight pitch), and the
+ * bone's texels of a row are `k_step` apart. */
+typedef struct posepack_run {
+    uint32_t texel;
+    uint32_t texel_step, k_step;
+    uint32_t interval_count;
+    uint32_t wraps; /* 1: the last interval ends at row 0 (uniform rows of a loop without closing row) */
+} posepack_run;
+
+/* The run of bone `bone` in clip `clip_index`, under every row scheme. OK, ARG or INDEX. O(1). */
+posepack_result posepack_get_run(const posepack_view* view, uint32_t clip_index, uint32_t bone,
+                                 posepack_run* run);
+
+/*
+ * Decodes one bone of a clip at a phase, as a shader does, under every row scheme.
+ *   phase  0 to 1 over the clip's period_s: what wrap makes of the time (docs/format/posepack-1.md, section
+ *          11). Smaller values and NaN count as 0, larger ones as 1.
+ * OK, ARG or INDEX.
+ */
+posepack_result posepack_sample_bone(const posepack_view* view, uint32_t clip_index, float phase,
+                                     uint32_t bone, float matrix[12]);
+
+/* The same for all bones: header.bone_count matrices of 12 floats, bone by bone. */
+posepack_result posepack_sample_pose(const posepack_view* view, uint32_t clip_index, float phase,
+                                     float* matrices);
+
 /*
  * Decodes one bone of one row to a 3x4 row-major matrix, from palette space to palette space.
  *   row   0 <= row < header.row_count (clip.first_row + a row of the clip)
  *   bone  0 <= bone < header.bone_count
- * OK, ARG or INDEX. Under mat4 and affine, values are exactly the stored ones, widened to float; under
- * dualquat they are computed in float, in the order that the format's section 10 gives.
+ * OK, ARG or INDEX, and UNSUPPORTED where the palette has runs, which share no rows: sample it. Under mat4
+ * and affine, values are exactly the stored ones, widened to float; under dualquat they are computed in
+ * float, in the order that the format's section 10 gives.
  */
 posepack_result posepack_decode_bone(const posepack_view* view, uint32_t row, uint32_t bone,
                                      float matrix[12]);
@@ -268,7 +297,9 @@ posepack_result posepack_decode_row(const posepack_view* view, uint32_t row, flo
  * dual quaternions are mixed and normalised, their scales apart.
  *   row0, row1  0 <= row < header.row_count. They should be neighbours of one clip: behind the last row of a
  *               loop comes its closing row (first_row + row_count) where clip.closing_row is 1, else its row
- * 0 factor      share of row1, 0 to 1; 0 gives exactly posepack_decode_bone of row0 OK, ARG or INDEX.
+ *               0
+ *   factor      share of row1, 0 to 1; 0 gives exactly posepack_decode_bone of row0
+ * OK, ARG, INDEX or UNSUPPORTED, as above.
  */
 posepack_result posepack_blend_bone(const posepack_view* view, uint32_t row0, uint32_t row1, float factor,
                                     uint32_t bone, float matrix[12]);

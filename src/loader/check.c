@@ -54,16 +54,23 @@ static int header_is_valid(const posepack_view* view) {
 
 /* The encodings, formats, orders and row schemes that this reader has code for. */
 static int header_is_supported(const posepack_header* h) {
-    return h->encoding <= POSEPACK_ENCODING_DUALQUAT && h->texel_format <= POSEPACK_TEXEL_RGBA32F &&
-           h->texel_order <= POSEPACK_ORDER_PLANAR && h->row_scheme == POSEPACK_ROWS_UNIFORM;
+    if (h->texel_format > POSEPACK_TEXEL_RGBA32F || h->texel_order > POSEPACK_ORDER_PLANAR) return 0;
+    if (h->row_scheme == POSEPACK_ROWS_RUNS) {
+        return h->encoding <= POSEPACK_ENCODING_DUALQUAT || h->encoding == POSEPACK_MIXED;
+    }
+    return h->row_scheme == POSEPACK_ROWS_UNIFORM && h->encoding <= POSEPACK_ENCODING_DUALQUAT;
 }
 
 /* What an encoding asks of the header. */
 static int encoding_is_consistent(const posepack_view* view) {
     const uint8_t* length = view->bytes + POSEPACK_HDR_DUALQUAT_LENGTH;
-    if (view->header.texels_per_bone != posepack_encoding_texels(view->header.encoding)) return 0;
-    return view->header.encoding == POSEPACK_ENCODING_DUALQUAT ? all_positive(length, 1)
-                                                               : posepack_all_zero(length, 4);
+    const int is_mixed = view->header.encoding == POSEPACK_MIXED;
+    const uint32_t texels = is_mixed ? POSEPACK_MIXED : posepack_encoding_texels(view->header.encoding);
+    if (view->header.texels_per_bone != texels) return 0;
+    /* RUNS is known, and nothing is stored in vain. */
+    if ((view->header.row_scheme == POSEPACK_ROWS_RUNS) != (view->runs_section != POSEPACK_NONE)) return 0;
+    return is_mixed || view->header.encoding == POSEPACK_ENCODING_DUALQUAT ? all_positive(length, 1)
+                                                                           : posepack_all_zero(length, 4);
 }
 
 /*
@@ -209,18 +216,25 @@ static int space_is_valid(const posepack_view* view, table_counts* counts) {
 
 /* Dual quaternions of a loop alone may need one: q and -q are the same rotation, but blend differently. */
 static int closing_row_is_valid(const uint8_t* r) {
-    const int may_close = r[POSEPACK_CLIP_ENCODING] == POSEPACK_ENCODING_DUALQUAT &&
+    const int may_close = r[POSEPACK_CLIP_ROW_SCHEME] == POSEPACK_ROWS_UNIFORM &&
+                          r[POSEPACK_CLIP_ENCODING] == POSEPACK_ENCODING_DUALQUAT &&
                           r[POSEPACK_CLIP_WRAP] == POSEPACK_WRAP_LOOP;
     return r[POSEPACK_CLIP_CLOSING_ROW] <= may_close;
+}
+
+/* The encoding and its texels: the header's, or of runs one that the clip has for itself. */
+static int clip_encoding_is_valid(const posepack_view* view, const uint8_t* r) {
+    const uint32_t encoding = r[POSEPACK_CLIP_ENCODING];
+    if (view->header.encoding != POSEPACK_MIXED && encoding != view->header.encoding) return 0;
+    return encoding >= POSEPACK_ENCODING_MAT4 && encoding <= POSEPACK_ENCODING_DUALQUAT &&
+           r[POSEPACK_CLIP_TEXELS_PER_BONE] == posepack_encoding_texels(encoding);
 }
 
 /* Names, encoding, enumerations, and what this draft leaves empty. */
 static int clip_kind_is_valid(const posepack_view* view, const uint8_t* r, uint32_t string_count) {
     return posepack_read_u32(r + POSEPACK_CLIP_NAME) < string_count &&
            posepack_read_u32(r + POSEPACK_CLIP_SOURCE_NAME) < string_count &&
-           r[POSEPACK_CLIP_ENCODING] == view->header.encoding &&
-           r[POSEPACK_CLIP_TEXELS_PER_BONE] == view->header.texels_per_bone &&
-           r[POSEPACK_CLIP_ROW_SCHEME] == view->header.row_scheme &&
+           clip_encoding_is_valid(view, r) && r[POSEPACK_CLIP_ROW_SCHEME] == view->header.row_scheme &&
            r[POSEPACK_CLIP_WRAP] <= POSEPACK_WRAP_PING_PONG && r[POSEPACK_CLIP_SEAM] <= POSEPACK_SEAM_OPEN &&
            closing_row_is_valid(r) && r[POSEPACK_CLIP_INTERPOLATION] <= POSEPACK_INTERPOLATION_STEP &&
            r[POSEPACK_CLIP_FLAGS] <= POSEPACK_CLIP_FLAG_MEASURED &&
@@ -275,7 +289,10 @@ static int clip_rows_are_valid(const posepack_view* view, const uint8_t* r, uint
     const uint32_t closing_row = r[POSEPACK_CLIP_CLOSING_ROW];
     if (posepack_read_u32(r + POSEPACK_CLIP_FIRST_ROW) != *next_row) return 0;
     if (row_count < 1 || row_count > view->header.row_count - *next_row) return 0;
-    if (posepack_read_u32(r + POSEPACK_CLIP_FIRST_TEXEL) != *next_row * row_texels) return 0;
+    if (view->header.row_scheme == POSEPACK_ROWS_UNIFORM &&
+        posepack_read_u32(r + POSEPACK_CLIP_FIRST_TEXEL) != *next_row * row_texels) {
+        return 0;
+    }
     if (closing_row > view->header.row_count - *next_row - row_count) return 0;
     *next_row += row_count + closing_row;
     return 1;
@@ -289,6 +306,7 @@ static int clip_cuts_are_valid(const uint8_t* r, const uint8_t* cuts, uint32_t c
     uint32_t i;
     if (posepack_read_u32(r + POSEPACK_CLIP_FIRST_CUT) != *next_cut) return 0;
     if (count > cut_count - *next_cut) return 0;
+    if (count > 0 && r[POSEPACK_CLIP_ROW_SCHEME] == POSEPACK_ROWS_RUNS) return 0;
     cuts += 4 * *next_cut;
     for (i = 0; i < count; ++i) {
         if (posepack_read_u32(cuts + 4 * i) >= row_count) return 0;
@@ -313,7 +331,7 @@ static int clips_are_valid(const posepack_view* view, const table_counts* counts
     const posepack_span clips = posepack_section_span(view, view->clip_section);
     const uint8_t* records = clips.data + POSEPACK_CLIP_HEAD_BYTES;
     const uint8_t* cuts = records + view->header.clip_count * POSEPACK_CLIP_RECORD_BYTES;
-    uint32_t next_row = 0, next_cut = 0, all_measured = 1;
+    uint32_t next_row = 0, next_cut = 0, all_measured = 1, differ = 0;
     uint32_t cut_count, i;
     if (!clip_head_is_valid(view, clips)) return 0;
     cut_count = posepack_read_u32(clips.data + POSEPACK_CLIP_HEAD_CUT_COUNT);
@@ -327,8 +345,10 @@ static int clips_are_valid(const posepack_view* view, const table_counts* counts
         if (!clip_error_is_valid(view, r + POSEPACK_CLIP_ERROR_MAX, measured, counts->meshes)) return 0;
         if (!clip_error_is_valid(view, r + POSEPACK_CLIP_NORMAL_MAX_DEG, measured, counts->meshes)) return 0;
         all_measured &= (uint32_t)measured;
+        differ |= r[POSEPACK_CLIP_ENCODING] != records[POSEPACK_CLIP_ENCODING];
     }
-    return next_row == view->header.row_count && next_cut == cut_count &&
+    return differ == (view->header.encoding == POSEPACK_MIXED) && next_row == view->header.row_count &&
+           next_cut == cut_count &&
            (view->header.optional_features & POSEPACK_OPTIONAL_ERROR_MEASURED) == all_measured;
 }
 
@@ -363,5 +383,6 @@ posepack_result posepack_check_tables(const posepack_view* view) {
     if (!space_is_valid(view, &counts)) return POSEPACK_ERROR_SEMANTIC;
     if (!clips_are_valid(view, &counts)) return POSEPACK_ERROR_SEMANTIC;
     if (!states_are_valid(view, counts.strings)) return POSEPACK_ERROR_SEMANTIC;
+    if (view->runs_section != POSEPACK_NONE && !posepack_runs_are_valid(view)) return POSEPACK_ERROR_SEMANTIC;
     return POSEPACK_OK;
 }

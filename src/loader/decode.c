@@ -16,7 +16,7 @@ posepack_texel_layout posepack_view_layout(const posepack_view* view) {
     return layout;
 }
 
-static const uint8_t* pixels(const posepack_view* view) {
+const uint8_t* posepack_pixels(const posepack_view* view) {
     return posepack_section_span(view, view->pixl_section).data;
 }
 
@@ -38,7 +38,7 @@ static int geometry_is_valid(const posepack_view* view, uint32_t row_bytes) {
  * No infinity and no NaN, four halves or two floats at a time: adding one to an exponent field
  * carries into the sign's place only where the field is all ones.
  */
-static int all_texels_finite(const uint8_t* texels, uint32_t size, int is_half) {
+int posepack_texels_are_finite(const uint8_t* texels, uint32_t size, int is_half) {
     const uint64_t exponents = is_half ? 0x7C007C007C007C00u : 0x7F8000007F800000u;
     const uint64_t ones = is_half ? 0x0400040004000400u : 0x0080000000800000u;
     uint64_t carries = 0;
@@ -63,24 +63,25 @@ static int bottom_row_is_affine(const uint8_t* row, const posepack_texel_layout*
     return 1;
 }
 
-/*
- * A real part that can be normalised: some component of at least 1/4 and none above 2, by their bits without
- * the sign. Writers stay near length 1.
- */
-static int real_parts_are_usable(const uint8_t* row, const posepack_texel_layout* layout, int is_half) {
-    const uint32_t bone_step = layout->texel_order == POSEPACK_ORDER_PLANAR ? 1 : 2;
+/* Some component of at least 1/4 and none above 2, by their bits without the sign. Writers stay near 1. */
+int posepack_real_part_is_usable(const uint8_t* texel, int is_half) {
     const uint32_t quarter = is_half ? 0x3400u : 0x3E800000u;
     const uint32_t two = is_half ? 0x4000u : 0x40000000u;
-    uint32_t bone, c;
+    uint32_t largest = 0;
+    uint32_t c;
+    for (c = 0; c < 4; ++c) {
+        const uint32_t magnitude = is_half ? posepack_read_u16(texel + 2 * c) & 0x7FFFu
+                                           : posepack_read_u32(texel + 4 * c) & 0x7FFFFFFFu;
+        if (magnitude > largest) largest = magnitude;
+    }
+    return largest >= quarter && largest <= two;
+}
+
+static int real_parts_are_usable(const uint8_t* row, const posepack_texel_layout* layout, int is_half) {
+    const uint32_t bone_step = layout->texel_order == POSEPACK_ORDER_PLANAR ? 1 : 2;
+    uint32_t bone;
     for (bone = 0; bone < layout->bone_count; ++bone) {
-        const uint8_t* texel = row + bone * bone_step * layout->texel_bytes;
-        uint32_t largest = 0;
-        for (c = 0; c < 4; ++c) {
-            const uint32_t magnitude = is_half ? posepack_read_u16(texel + 2 * c) & 0x7FFFu
-                                               : posepack_read_u32(texel + 4 * c) & 0x7FFFFFFFu;
-            if (magnitude > largest) largest = magnitude;
-        }
-        if (largest < quarter || largest > two) return 0;
+        if (!posepack_real_part_is_usable(row + bone * bone_step * layout->texel_bytes, is_half)) return 0;
     }
     return 1;
 }
@@ -97,7 +98,7 @@ static int row_is_valid(const posepack_view* view, const uint8_t* row, const pos
     }
 }
 
-static int is_equal(const uint8_t* a, const uint8_t* b, uint32_t size) {
+int posepack_is_equal(const uint8_t* a, const uint8_t* b, uint32_t size) {
     uint32_t i;
     for (i = 0; i < size; ++i) {
         if (a[i] != b[i]) return 0;
@@ -110,15 +111,15 @@ static posepack_result check_line(const posepack_view* view, const posepack_texe
                                   uint32_t line, uint32_t row_bytes) {
     const int is_half = view->header.texel_format == POSEPACK_TEXEL_RGBA16F;
     const uint32_t used_bytes = layout->rows_per_line * row_bytes;
-    const uint8_t* start = pixels(view) + (uint64_t)line * layout->row_pitch_bytes;
+    const uint8_t* start = posepack_pixels(view) + (uint64_t)line * layout->row_pitch_bytes;
     const uint8_t* last = NULL;
     uint32_t column;
-    if (!all_texels_finite(start, used_bytes, is_half)) return POSEPACK_ERROR_SEMANTIC;
+    if (!posepack_texels_are_finite(start, used_bytes, is_half)) return POSEPACK_ERROR_SEMANTIC;
     for (column = 0; column < layout->rows_per_line; ++column) {
         const uint8_t* row = start + column * row_bytes;
         if (line * layout->rows_per_line + column >= view->header.row_count) {
             /* Blending may read one row too far: what it finds there must be a pose. */
-            if (!is_equal(row, last, row_bytes)) return POSEPACK_ERROR_SEMANTIC;
+            if (!posepack_is_equal(row, last, row_bytes)) return POSEPACK_ERROR_SEMANTIC;
         } else if (!row_is_valid(view, row, layout, is_half)) {
             return POSEPACK_ERROR_SEMANTIC;
         } else {
@@ -131,25 +132,25 @@ static posepack_result check_line(const posepack_view* view, const posepack_texe
     return POSEPACK_OK;
 }
 
-/* A bone of a closing row: the texels of row 0, or these with all eight signs turned. */
-static int bone_closes(const uint8_t* first, const uint8_t* closing, const posepack_texel_layout* layout) {
-    const uint32_t k_step = layout->texel_order == POSEPACK_ORDER_PLANAR ? layout->bone_count : 1;
-    const uint32_t number_bytes = layout->texel_bytes / 4;
+int posepack_bone_closes(const uint8_t* first, const uint8_t* closing, uint32_t texel_count,
+                         uint32_t k_step_bytes, uint32_t texel_bytes, int may_turn) {
+    const uint32_t number_bytes = texel_bytes / 4;
     uint32_t turned = 0, differing = 0;
     uint32_t k, i;
-    for (k = 0; k < 2; ++k) {
-        const uint8_t* a = first + k * k_step * layout->texel_bytes;
-        const uint8_t* b = closing + k * k_step * layout->texel_bytes;
-        for (i = 0; i < layout->texel_bytes; ++i) {
+    for (k = 0; k < texel_count; ++k) {
+        const uint8_t* a = first + k * k_step_bytes;
+        const uint8_t* b = closing + k * k_step_bytes;
+        for (i = 0; i < texel_bytes; ++i) {
             const uint32_t sign = i % number_bytes == number_bytes - 1 ? 0x80u : 0u;
             differing |= (uint32_t)(a[i] ^ b[i]);
             turned |= (uint32_t)(a[i] ^ b[i]) ^ sign;
         }
     }
-    return differing == 0 || turned == 0;
+    return differing == 0 || (may_turn && turned == 0);
 }
 
 static int closing_rows_are_valid(const posepack_view* view, const posepack_texel_layout* layout) {
+    const uint32_t k_step = layout->texel_order == POSEPACK_ORDER_PLANAR ? layout->bone_count : 1;
     const uint8_t* clips = posepack_section_span(view, view->clip_section).data + POSEPACK_CLIP_HEAD_BYTES;
     uint32_t i, bone;
     for (i = 0; i < view->header.clip_count; ++i) {
@@ -158,16 +159,18 @@ static int closing_rows_are_valid(const posepack_view* view, const posepack_texe
         const uint32_t row_count = posepack_read_u32(r + POSEPACK_CLIP_ROW_COUNT);
         if (r[POSEPACK_CLIP_CLOSING_ROW] == 0) continue;
         for (bone = 0; bone < layout->bone_count; ++bone) {
-            const uint8_t* first = pixels(view) + posepack_texel_offset(layout, first_row, bone, 0);
+            const uint8_t* first = posepack_pixels(view) + posepack_texel_offset(layout, first_row, bone, 0);
             const uint8_t* last =
-                pixels(view) + posepack_texel_offset(layout, first_row + row_count, bone, 0);
-            if (!bone_closes(first, last, layout)) return 0;
+                posepack_pixels(view) + posepack_texel_offset(layout, first_row + row_count, bone, 0);
+            if (!posepack_bone_closes(first, last, 2, k_step * layout->texel_bytes, layout->texel_bytes, 1)) {
+                return 0;
+            }
         }
     }
     return 1;
 }
 
-posepack_result posepack_check_pixels(const posepack_view* view) {
+static posepack_result check_row_pixels(const posepack_view* view) {
     const posepack_texel_layout layout = posepack_view_layout(view);
     const uint32_t row_bytes = layout.bone_count * layout.texels_per_bone * layout.texel_bytes;
     uint32_t line;
@@ -180,9 +183,14 @@ posepack_result posepack_check_pixels(const posepack_view* view) {
     return closing_rows_are_valid(view, &layout) ? POSEPACK_OK : POSEPACK_ERROR_SEMANTIC;
 }
 
+posepack_result posepack_check_pixels(const posepack_view* view) {
+    return view->header.row_scheme == POSEPACK_ROWS_RUNS ? posepack_check_run_pixels(view)
+                                                         : check_row_pixels(view);
+}
+
 posepack_result posepack_get_texels(const posepack_view* view, posepack_texels* texels) {
     if (view == NULL || view->bytes == NULL || texels == NULL) return POSEPACK_ERROR_ARG;
-    texels->data = pixels(view);
+    texels->data = posepack_pixels(view);
     texels->size_bytes = (size_t)view->sections[view->pixl_section].stored_bytes;
     texels->width_texels = view->header.texture_width_texels;
     texels->height_texels = view->header.texture_height_texels;
@@ -200,41 +208,22 @@ static void read_texel(const uint8_t* texel, uint32_t texel_bytes, float out[4])
     }
 }
 
-/* Where the texels of one bone-row are, and how to read them. */
-typedef struct bone_source {
-    posepack_texel_layout layout;
-    uint32_t k_step; /* bytes from a texel of a bone to its next */
-    uint32_t encoding;
-    float dualquat_length;
-} bone_source;
-
-static bone_source source_of(const posepack_view* view) {
-    bone_source source;
-    source.layout = posepack_view_layout(view);
-    source.k_step = source.layout.texel_order == POSEPACK_ORDER_PLANAR
-                        ? source.layout.bone_count * source.layout.texel_bytes
-                        : source.layout.texel_bytes;
-    source.encoding = view->header.encoding;
-    source.dualquat_length = view->header.dualquat_length;
-    return source;
-}
-
-static posepack_dualquat read_dualquat(const bone_source* source, const uint8_t* texel) {
+static posepack_dualquat read_dualquat(const posepack_bone_form* form, const uint8_t* texel) {
     posepack_dualquat row;
-    read_texel(texel, source->layout.texel_bytes, row.real);
-    read_texel(texel + source->k_step, source->layout.texel_bytes, row.dual);
+    read_texel(texel, form->texel_bytes, row.real);
+    read_texel(texel + form->k_step_bytes, form->texel_bytes, row.dual);
     return row;
 }
 
 /* Columns of a mat4, rows of an affine, to a 3x4 matrix. */
-static void read_matrix(const bone_source* source, const uint8_t* texel, float* matrix) {
+static void read_matrix(const posepack_bone_form* form, const uint8_t* texel, float* matrix) {
     float column[4];
     uint32_t k;
-    for (k = 0; k < source->layout.texels_per_bone; ++k) {
-        if (source->encoding == POSEPACK_ENCODING_AFFINE) {
-            read_texel(texel + k * source->k_step, source->layout.texel_bytes, matrix + 4 * k);
+    for (k = 0; k < form->texels_per_bone; ++k) {
+        if (form->encoding == POSEPACK_ENCODING_AFFINE) {
+            read_texel(texel + k * form->k_step_bytes, form->texel_bytes, matrix + 4 * k);
         } else {
-            read_texel(texel + k * source->k_step, source->layout.texel_bytes, column);
+            read_texel(texel + k * form->k_step_bytes, form->texel_bytes, column);
             matrix[k] = column[0];
             matrix[4 + k] = column[1];
             matrix[8 + k] = column[2];
@@ -242,46 +231,58 @@ static void read_matrix(const bone_source* source, const uint8_t* texel, float* 
     }
 }
 
-static void decode_texels(const bone_source* source, const uint8_t* texel, float* matrix) {
-    if (source->encoding == POSEPACK_ENCODING_DUALQUAT) {
-        const posepack_dualquat row = read_dualquat(source, texel);
-        posepack_dualquat_decode(&row, source->dualquat_length, matrix);
+void posepack_decode_texels(const posepack_bone_form* form, const uint8_t* texel, float* matrix) {
+    if (form->encoding == POSEPACK_ENCODING_DUALQUAT) {
+        const posepack_dualquat row = read_dualquat(form, texel);
+        posepack_dualquat_decode(&row, form->dualquat_length, matrix);
     } else {
-        read_matrix(source, texel, matrix);
+        read_matrix(form, texel, matrix);
     }
 }
 
-static void blend_texels(const bone_source* source, const uint8_t* texel0, const uint8_t* texel1,
-                         float factor, float* matrix) {
-    if (source->encoding == POSEPACK_ENCODING_DUALQUAT) {
-        const posepack_dualquat a = read_dualquat(source, texel0);
-        const posepack_dualquat b = read_dualquat(source, texel1);
-        posepack_dualquat_blend(&a, &b, factor, source->dualquat_length, matrix);
+void posepack_blend_texels(const posepack_bone_form* form, const uint8_t* texel0, const uint8_t* texel1,
+                           float factor, float* matrix) {
+    if (form->encoding == POSEPACK_ENCODING_DUALQUAT) {
+        const posepack_dualquat a = read_dualquat(form, texel0);
+        const posepack_dualquat b = read_dualquat(form, texel1);
+        posepack_dualquat_blend(&a, &b, factor, form->dualquat_length, matrix);
     } else {
         float other[12];
         uint32_t i;
-        read_matrix(source, texel0, matrix);
-        read_matrix(source, texel1, other);
+        read_matrix(form, texel0, matrix);
+        read_matrix(form, texel1, other);
         for (i = 0; i < 12; ++i) matrix[i] = matrix[i] * (1.0f - factor) + other[i] * factor;
     }
 }
 
-static const uint8_t* bone_texel(const posepack_view* view, const bone_source* source, uint32_t row,
+static posepack_bone_form form_of(const posepack_view* view) {
+    posepack_bone_form form;
+    form.encoding = view->header.encoding;
+    form.texels_per_bone = view->header.texels_per_bone;
+    form.texel_bytes = posepack_texel_bytes(view->header.texel_format);
+    form.k_step_bytes =
+        form.texel_bytes * (view->header.texel_order == POSEPACK_ORDER_PLANAR ? view->header.bone_count : 1);
+    form.dualquat_length = view->header.dualquat_length;
+    return form;
+}
+
+static const uint8_t* bone_texel(const posepack_view* view, const posepack_texel_layout* layout, uint32_t row,
                                  uint32_t bone) {
-    return pixels(view) + posepack_texel_offset(&source->layout, row, bone, 0);
+    return posepack_pixels(view) + posepack_texel_offset(layout, row, bone, 0);
 }
 
 /* Bones `first` to `last` - 1, between two rows that are in range. */
 static void blend_bones(const posepack_view* view, uint32_t row0, uint32_t row1, float factor, uint32_t first,
                         uint32_t last, float* matrices) {
-    const bone_source source = source_of(view);
+    const posepack_texel_layout layout = posepack_view_layout(view);
+    const posepack_bone_form form = form_of(view);
     uint32_t bone;
     for (bone = first; bone < last; ++bone, matrices += 12) {
+        const uint8_t* texel = bone_texel(view, &layout, row0, bone);
         if (factor == 0.0f) {
-            decode_texels(&source, bone_texel(view, &source, row0, bone), matrices);
+            posepack_decode_texels(&form, texel, matrices);
         } else {
-            blend_texels(&source, bone_texel(view, &source, row0, bone),
-                         bone_texel(view, &source, row1, bone), factor, matrices);
+            posepack_blend_texels(&form, texel, bone_texel(view, &layout, row1, bone), factor, matrices);
         }
     }
 }
@@ -289,6 +290,7 @@ static void blend_bones(const posepack_view* view, uint32_t row0, uint32_t row1,
 posepack_result posepack_blend_bone(const posepack_view* view, uint32_t row0, uint32_t row1, float factor,
                                     uint32_t bone, float matrix[12]) {
     if (view == NULL || view->bytes == NULL || matrix == NULL) return POSEPACK_ERROR_ARG;
+    if (view->header.row_scheme != POSEPACK_ROWS_UNIFORM) return POSEPACK_ERROR_UNSUPPORTED;
     if (row0 >= view->header.row_count || row1 >= view->header.row_count || bone >= view->header.bone_count) {
         return POSEPACK_ERROR_INDEX;
     }
@@ -299,6 +301,7 @@ posepack_result posepack_blend_bone(const posepack_view* view, uint32_t row0, ui
 posepack_result posepack_blend_row(const posepack_view* view, uint32_t row0, uint32_t row1, float factor,
                                    float* matrices) {
     if (view == NULL || view->bytes == NULL || matrices == NULL) return POSEPACK_ERROR_ARG;
+    if (view->header.row_scheme != POSEPACK_ROWS_UNIFORM) return POSEPACK_ERROR_UNSUPPORTED;
     if (row0 >= view->header.row_count || row1 >= view->header.row_count) return POSEPACK_ERROR_INDEX;
     blend_bones(view, row0, row1, factor, 0, view->header.bone_count, matrices);
     return POSEPACK_OK;

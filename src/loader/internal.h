@@ -31,7 +31,45 @@ uint32_t posepack_joint_map_count(const posepack_view* view, posepack_span bones
 /* Byte order of `a` and `b`: negative, zero or positive; a prefix comes first. */
 int posepack_compare_strings(posepack_string a, posepack_string b);
 
-/* The layout that the header's copy describes. */
+/* The record of clip `index`, which must be below clip_count. */
+const uint8_t* posepack_clip_record(const posepack_view* view, uint32_t index);
+
+/* The stored run of a bone in a clip; under runs only. */
+uint32_t posepack_stored_run(const posepack_view* view, uint32_t clip, uint32_t bone);
+
+/* RUNS, once every other table is known to be valid. */
+int posepack_runs_are_valid(const posepack_view* view);
+
+/* Texture geometry and texels under runs. */
+posepack_result posepack_check_run_pixels(const posepack_view* view);
+
+/* The pixel section. */
+const uint8_t* posepack_pixels(const posepack_view* view);
+
+/*
+ * Rules about texels that all row schemes share. No infinity and no NaN in `size` bytes, a multiple of 8; a
+ * real part that can be normalised; `closing` the texels `first`, or these with all eight signs turned,
+ * texels `k_step_bytes` apart.
+ */
+int posepack_texels_are_finite(const uint8_t* texels, uint32_t size, int is_half);
+int posepack_real_part_is_usable(const uint8_t* texel, int is_half);
+int posepack_bone_closes(const uint8_t* first, const uint8_t* closing, uint32_t texel_count,
+                         uint32_t k_step_bytes, uint32_t texel_bytes, int may_turn);
+int posepack_is_equal(const uint8_t* a, const uint8_t* b, uint32_t size);
+
+/* How the texels of a bone-row are read. */
+typedef struct posepack_bone_form {
+    uint32_t encoding, texels_per_bone, texel_bytes;
+    uint32_t k_step_bytes; /* from a texel of a bone to its next */
+    float dualquat_length;
+} posepack_bone_form;
+
+/* One bone-row, and the blend of two, as 3x4 matrices. */
+void posepack_decode_texels(const posepack_bone_form* form, const uint8_t* texel, float* matrix);
+void posepack_blend_texels(const posepack_bone_form* form, const uint8_t* texel0, const uint8_t* texel1,
+                           float factor, float* matrix);
+
+/* The layout that the header's copy describes; uniform rows only. */
 posepack_texel_layout posepack_view_layout(const posepack_view* view);
 
 /* Every rule about header fields and tables; sections are placed and their checksums right. */

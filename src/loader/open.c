@@ -7,11 +7,12 @@
 #include "format/crc32c.h"
 #include "loader/internal.h"
 
-/* The sections that must be there, and where the view keeps their indices. */
-#define KNOWN_SECTION_COUNT 6u
-static const uint32_t kKnownTypes[KNOWN_SECTION_COUNT] = {POSEPACK_SECTION_CLIP, POSEPACK_SECTION_STAT,
-                                                          POSEPACK_SECTION_BONE, POSEPACK_SECTION_SPAC,
-                                                          POSEPACK_SECTION_STRS, POSEPACK_SECTION_PIXL};
+/* The sections that must be there, then RUNS, and where the view keeps their indices. */
+#define REQUIRED_SECTION_COUNT 6u
+#define KNOWN_SECTION_COUNT 7u
+static const uint32_t kKnownTypes[KNOWN_SECTION_COUNT] = {
+    POSEPACK_SECTION_CLIP, POSEPACK_SECTION_STAT, POSEPACK_SECTION_BONE, POSEPACK_SECTION_SPAC,
+    POSEPACK_SECTION_STRS, POSEPACK_SECTION_PIXL, POSEPACK_SECTION_RUNS};
 
 static uint32_t* known_section(posepack_view* view, uint32_t known) {
     uint32_t* fields[KNOWN_SECTION_COUNT];
@@ -21,6 +22,7 @@ static uint32_t* known_section(posepack_view* view, uint32_t known) {
     fields[3] = &view->spac_section;
     fields[4] = &view->strs_section;
     fields[5] = &view->pixl_section;
+    fields[6] = &view->runs_section;
     return fields[known];
 }
 
@@ -176,14 +178,17 @@ static posepack_result identify_sections(posepack_view* view) {
         while (known < KNOWN_SECTION_COUNT && kKnownTypes[known] != section->type) ++known;
         if (known < KNOWN_SECTION_COUNT) {
             *known_section(view, known) = i;
-            ++found;
+            if (known < REQUIRED_SECTION_COUNT) ++found;
         } else if ((section->type & 0x20u) == 0) { /* an upper-case first letter: required */
             return POSEPACK_ERROR_UNKNOWN_REQUIRED;
         }
         result = check_entry(section, known);
         if (result != POSEPACK_OK) return result;
     }
-    return found == KNOWN_SECTION_COUNT ? POSEPACK_OK : POSEPACK_ERROR_SECTION_MISSING;
+    if (view->header.row_scheme == POSEPACK_ROWS_RUNS && view->runs_section == POSEPACK_NONE) {
+        return POSEPACK_ERROR_SECTION_MISSING;
+    }
+    return found == REQUIRED_SECTION_COUNT ? POSEPACK_OK : POSEPACK_ERROR_SECTION_MISSING;
 }
 
 /* The law of no holes: each section begins where the last one ended, rounded up to its alignment. */
@@ -219,6 +224,7 @@ static posepack_result open_checked(posepack_view* view, const uint8_t* bytes, s
     if (result != POSEPACK_OK) return result;
     copy_header(&view->header, bytes);
     view->bytes = bytes;
+    view->runs_section = POSEPACK_NONE;
     result = check_header(&view->header, size);
     if (result == POSEPACK_OK) result = copy_table(view, bytes, (uint32_t)size);
     if (result == POSEPACK_OK) result = identify_sections(view);

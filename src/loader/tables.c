@@ -74,7 +74,7 @@ static void read_floats(const uint8_t* bytes, float* values, uint32_t count) {
     for (i = 0; i < count; ++i) values[i] = posepack_read_f32(bytes + 4 * i);
 }
 
-static const uint8_t* clip_record(const posepack_view* view, uint32_t index) {
+const uint8_t* posepack_clip_record(const posepack_view* view, uint32_t index) {
     return posepack_section_span(view, view->clip_section).data + POSEPACK_CLIP_HEAD_BYTES +
            index * POSEPACK_CLIP_RECORD_BYTES;
 }
@@ -100,7 +100,7 @@ posepack_result posepack_get_clip(const posepack_view* view, uint32_t index, pos
     const uint8_t* r;
     if (!is_open(view) || clip == NULL) return POSEPACK_ERROR_ARG;
     if (index >= view->header.clip_count) return POSEPACK_ERROR_INDEX;
-    r = clip_record(view, index);
+    r = posepack_clip_record(view, index);
     clip->name = string_of(view, r + POSEPACK_CLIP_NAME);
     clip->source_name = string_of(view, r + POSEPACK_CLIP_SOURCE_NAME);
     clip->encoding = r[POSEPACK_CLIP_ENCODING];
@@ -139,7 +139,7 @@ posepack_result posepack_get_cut(const posepack_view* view, uint32_t clip_index,
     clips = posepack_section_span(view, view->clip_section);
     fixed_bytes = POSEPACK_CLIP_HEAD_BYTES + view->header.clip_count * POSEPACK_CLIP_RECORD_BYTES;
     room = (clips.size - fixed_bytes) / 4;
-    r = clip_record(view, clip_index);
+    r = posepack_clip_record(view, clip_index);
     first_cut = posepack_read_u32(r + POSEPACK_CLIP_FIRST_CUT);
     if (index >= posepack_read_u32(r + POSEPACK_CLIP_CUT_COUNT)) return POSEPACK_ERROR_INDEX;
     if (first_cut >= room || index >= room - first_cut) return POSEPACK_ERROR_INDEX;
@@ -151,7 +151,7 @@ posepack_result posepack_find_clip(const posepack_view* view, const char* name, 
     uint32_t i;
     if (!is_open(view) || name == NULL || index == NULL) return POSEPACK_ERROR_ARG;
     for (i = 0; i < view->header.clip_count; ++i) {
-        if (is_name(string_of(view, clip_record(view, i) + POSEPACK_CLIP_NAME), name)) {
+        if (is_name(string_of(view, posepack_clip_record(view, i) + POSEPACK_CLIP_NAME), name)) {
             *index = i;
             return POSEPACK_OK;
         }

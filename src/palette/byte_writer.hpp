@@ -22,6 +22,7 @@ class ByteWriter {
     // Zero bytes up to a multiple of `alignment`.
     void align(std::size_t alignment);
 
+    void reserve(std::size_t size) { bytes_.reserve(size); }
     std::size_t size() const { return bytes_.size(); }
     std::span<std::uint8_t> bytes() { return bytes_; }
     std::vector<std::uint8_t> take() { return std::move(bytes_); }

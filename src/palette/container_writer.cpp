@@ -304,6 +304,7 @@ std::vector<std::uint8_t> write_container(const Animal& animal, const Palette& p
         out.u32(0);
         offset += section.bytes.size();
     }
+    out.reserve(offset);
     for (const Section& section : sections) {
         out.align(std::size_t{1} << section.align_log2);
         out.append(section.bytes);

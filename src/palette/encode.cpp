@@ -68,9 +68,8 @@ void RowEncoder::round_matrices(std::span<const motion::Affine> bones, std::span
     const bool half = layout_.texel_format == POSEPACK_TEXEL_RGBA16F;
     if (half && layout_.encoding == POSEPACK_ENCODING_AFFINE && !aids_.moments.empty()) {
         for (std::size_t b = 0; b < bones.size(); ++b)
-            round_affine(bones[b], aids_.moments[b], aids_.halves,
-                         std::span<std::uint16_t, 12>(&halves_[b * 12], 12));
-        for (std::size_t e = 0; e < halves_.size(); ++e) stored[e] = posepack_float_from_half(halves_[e]);
+            round_affine(bones[b], aids_.moments[b], aids_.halves, std::span<float, 12>(&stored[b * 12], 12));
+        round_to_halves(stored.first(halves_.size()), halves_);
         return;
     }
     for (std::uint32_t b = 0; b < layout_.bone_count; ++b)
@@ -93,9 +92,8 @@ void RowEncoder::round_dualquats(std::span<const motion::Affine> bones, std::spa
         const Similarity target = hemispheres_.next(b, bones[b]);
         std::array<float, 8> numbers{};
         if (half) {
-            const std::span<std::uint16_t, 8> halves(&halves_[b * 8], 8);
-            round_dualquat(bones[b], target, aids_.moments[b], length, aids_.halves, halves);
-            for (std::size_t c = 0; c < 8; ++c) numbers[c] = posepack_float_from_half(halves[c]);
+            round_dualquat(bones[b], target, aids_.moments[b], length, aids_.halves, numbers);
+            round_to_halves(numbers, std::span(halves_).subspan(b * 8, 8));
         } else {
             std::array<double, 8> exact{};
             dualquat_numbers(target, length, exact);

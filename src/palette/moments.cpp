@@ -22,36 +22,32 @@ void for_each_influence(const motion::SkinSet& points, const Spaces& spaces, F f
 
 }  // namespace
 
-double BoneMoment::cost(const std::array<double, 4>& d) const {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < 4; ++i)
-        sum += d[i] * (square[i][0] * d[0] + square[i][1] * d[1] + square[i][2] * d[2] + square[i][3] * d[3]);
-    return sum;
-}
-
 std::vector<BoneMoment> bone_moments(const motion::SkinSet& points, const Spaces& spaces,
                                      std::size_t bone_count, double reach) {
     std::vector<BoneMoment> moments(bone_count);
+    std::vector<double> totals(bone_count);
     for_each_influence(points, spaces, [&](std::size_t bone, double weight, const glm::dvec3& p) {
-        const std::array<double, 4> v{p.x, p.y, p.z, 1.0};
-        for (std::size_t r = 0; r < 4; ++r)
-            for (std::size_t c = 0; c < 4; ++c) moments[bone].square[r][c] += weight * weight * v[r] * v[c];
+        moments[bone].centroid += weight * weight * p;
+        totals[bone] += weight * weight;
     });
-    for (BoneMoment& moment : moments) {
-        const double total = moment.square[3][3];
-        if (total > 0.0) {
-            for (auto& row : moment.square)
-                for (double& element : row) element /= total;
-        } else {
-            // The mean square along an axis of a ball of radius a is a^2 / 5.
-            for (std::size_t i = 0; i < 3; ++i) moment.square[i][i] = 0.05 * reach * reach;
-            moment.square[3][3] = 1.0;
-        }
+    for (std::size_t b = 0; b < bone_count; ++b)
+        if (totals[b] > 0.0) moments[b].centroid /= totals[b];
+    for_each_influence(points, spaces, [&](std::size_t bone, double weight, const glm::dvec3& p) {
+        BoneMoment& moment = moments[bone];
+        const glm::dvec3 away = p - moment.centroid;
+        const std::array<double, 6> products{away.x * away.x, away.y * away.y, away.z * away.z,
+                                             away.x * away.y, away.x * away.z, away.y * away.z};
+        for (std::size_t i = 0; i < 6; ++i) moment.spread[i] += weight * weight * products[i];
+        moment.radius = std::max(moment.radius, std::sqrt(glm::dot(away, away)));
+    });
+    for (std::size_t b = 0; b < bone_count; ++b) {
+        // The mean square along an axis of a ball of radius a is a^2 / 5.
+        const double ball = 0.05 * reach * reach;
+        if (totals[b] > 0.0)
+            for (double& element : moments[b].spread) element /= totals[b];
+        else
+            moments[b].spread = {ball, ball, ball, 0.0, 0.0, 0.0};
     }
-    for_each_influence(points, spaces, [&](std::size_t bone, double, const glm::dvec3& p) {
-        const glm::dvec3 away = p - moments[bone].centroid();
-        moments[bone].radius = std::max(moments[bone].radius, std::sqrt(glm::dot(away, away)));
-    });
     return moments;
 }
 

@@ -15,14 +15,22 @@
 
 namespace posepack::palette {
 
+// S is kept divided by its last element, as the centroid of the points and their spread about it.
 struct BoneMoment {
-    // S divided by its last element, symmetric: the last row is the centroid (weighted by w^2) and 1.
-    std::array<std::array<double, 4>, 4> square{};
-    double radius = 0.0;  // largest distance of a vertex from the centroid; 0 without vertices
+    glm::dvec3 centroid{0.0};        // weighted by w^2
+    std::array<double, 6> spread{};  // mean squares about the centroid, by w^2: xx, yy, zz, xy, xz, yz
+    double radius = 0.0;             // largest distance of a vertex from the centroid; 0 without vertices
 
-    glm::dvec3 centroid() const { return {square[3][0], square[3][1], square[3][2]}; }
+    // What a row d of E costs as seen about the centroid, when the translation keeps the centroid in place.
+    double spread_cost(double x, double y, double z) const {
+        return x * (spread[0] * x + 2.0 * (spread[3] * y + spread[4] * z)) +
+               y * (spread[1] * y + 2.0 * spread[5] * z) + spread[2] * z * z;
+    }
     // d' S d: what a row of E costs.
-    double cost(const std::array<double, 4>& d) const;
+    double cost(const std::array<double, 4>& d) const {
+        const double at_centroid = d[0] * centroid.x + d[1] * centroid.y + d[2] * centroid.z + d[3];
+        return spread_cost(d[0], d[1], d[2]) + at_centroid * at_centroid;
+    }
 };
 
 // Moments of every bone over the different vertices of an animal, in palette space. A bone without vertices

@@ -14,7 +14,7 @@ namespace {
 using animal::Animal;
 using motion::Affine;
 
-constexpr std::uint32_t kRowsLookedAt = 32;  // of a clip: enough for a centre and a median
+constexpr std::uint32_t kRowsLookedAt = 10;  // of a clip: enough for a centre and a median
 // Beyond these a scale is a limb that was hidden by shrinking it, not the unit of a mesh.
 constexpr double kSmallestScale = 1e-9;
 constexpr double kLargestScale = 1e9;
@@ -55,7 +55,7 @@ Survey survey_clips(const Animal& animal, std::span<const PlannedClip> clips) {
     std::vector<Affine> bones(animal.bones.size());
     for (const PlannedClip& planned : clips) {
         motion::ClipSampler sampler(animal, *planned.clip);
-        const std::uint32_t step = std::max(1u, planned.plan->row_count / kRowsLookedAt);
+        const std::uint32_t step = (planned.plan->row_count + kRowsLookedAt - 1) / kRowsLookedAt;
         for (std::uint32_t row = 0; row < planned.plan->row_count; row += step) {
             motion::sample_row(sampler, *planned.plan, row, bones);
             boxes.add(bones, survey.box);

@@ -72,11 +72,16 @@ std::array<float, 12> plain_affine(const Sample& sample) {
     return out;
 }
 
-std::array<float, 12> decoded(const std::array<std::uint16_t, 8>& halves) {
+bool is_a_half(float value) {
+    return posepack_float_from_half(posepack_half_from_float(value)) == value;
+}
+
+std::array<float, 12> decoded(const std::array<float, 8>& rounded) {
     posepack_dualquat row{};
     for (std::size_t c = 0; c < 4; ++c) {
-        row.real[c] = posepack_float_from_half(halves[c]);
-        row.dual[c] = posepack_float_from_half(halves[4 + c]);
+        EXPECT_TRUE(is_a_half(rounded[c]) && is_a_half(rounded[4 + c]));
+        row.real[c] = rounded[c];
+        row.dual[c] = rounded[4 + c];
     }
     std::array<float, 12> matrix{};
     posepack_dualquat_decode(&row, static_cast<float>(kLength), matrix.data());
@@ -86,9 +91,10 @@ std::array<float, 12> decoded(const std::array<std::uint16_t, 8>& halves) {
 std::array<float, 12> plain_dualquat(const Sample& sample) {
     std::array<double, 8> numbers{};
     dualquat_numbers(sample.target, kLength, numbers);
-    std::array<std::uint16_t, 8> halves{};
-    for (std::size_t c = 0; c < 8; ++c) halves[c] = posepack_half_from_float(static_cast<float>(numbers[c]));
-    return decoded(halves);
+    std::array<float, 8> rounded{};
+    for (std::size_t c = 0; c < 8; ++c)
+        rounded[c] = posepack_float_from_half(posepack_half_from_float(static_cast<float>(numbers[c])));
+    return decoded(rounded);
 }
 
 TEST(Rounding, OfAnAffineIsNeverWorseThanPlain) {
@@ -96,12 +102,10 @@ TEST(Rounding, OfAnAffineIsNeverWorseThanPlain) {
     double plain = 0.0, chosen = 0.0;
     for (int round = 0; round < 2000; ++round) {
         const Sample sample = random_sample(random, 1.0);
-        std::array<std::uint16_t, 12> halves{};
-        round_affine(sample.matrix, sample.moment, Halves::all, halves);
-        std::array<float, 12> found{};
-        for (std::size_t e = 0; e < 12; ++e) found[e] = posepack_float_from_half(halves[e]);
+        std::array<float, 12> rounded{};
+        round_affine(sample.matrix, sample.moment, Halves::all, rounded);
         const double a = cost_of(plain_affine(sample), sample);
-        const double b = cost_of(found, sample);
+        const double b = cost_of(rounded, sample);
         // By so much the costs are themselves rounded.
         ASSERT_LE(b, a * (1 + 1e-9) + 1e-18) << round;
         plain += a;
@@ -116,10 +120,10 @@ TEST(Rounding, OfADualQuaternionIsMuchBetterThanPlain) {
         double plain = 0.0, chosen = 0.0;
         for (int round = 0; round < 1000; ++round) {
             const Sample sample = random_sample(random, scale);
-            std::array<std::uint16_t, 8> halves{};
-            round_dualquat(sample.matrix, sample.target, sample.moment, kLength, Halves::all, halves);
+            std::array<float, 8> rounded{};
+            round_dualquat(sample.matrix, sample.target, sample.moment, kLength, Halves::all, rounded);
             plain += cost_of(plain_dualquat(sample), sample);
-            chosen += cost_of(decoded(halves), sample);
+            chosen += cost_of(decoded(rounded), sample);
         }
         EXPECT_LT(chosen, plain / 4) << scale;
         EXPECT_LT(std::sqrt(chosen / 1000), 1.2e-3 * std::max(1.0, std::abs(scale - 1.0))) << scale;
@@ -130,12 +134,11 @@ TEST(Rounding, OfMinusQIsMinusTheHalves) {
     std::mt19937 random(23);
     for (int round = 0; round < 200; ++round) {
         Sample sample = random_sample(random, 1.25);
-        std::array<std::uint16_t, 8> one{}, other{};
+        std::array<float, 8> one{}, other{};
         round_dualquat(sample.matrix, sample.target, sample.moment, kLength, Halves::normal, one);
         sample.target.rotation = -sample.target.rotation;
         round_dualquat(sample.matrix, sample.target, sample.moment, kLength, Halves::normal, other);
-        for (std::size_t c = 0; c < 8; ++c)
-            EXPECT_TRUE((one[c] ^ other[c]) == 0x8000 || (one[c] & 0x7FFF) == 0) << round;
+        for (std::size_t c = 0; c < 8; ++c) EXPECT_EQ(one[c], -other[c]) << round;
         EXPECT_EQ(decoded(one), decoded(other)) << "q and -q are one rotation";
     }
 }
@@ -173,12 +176,13 @@ TEST(Rounding, LeavesSubnormalHalvesOutWhereAsked) {
         for (int c = 0; c < 3; ++c)
             for (int r = 0; r < 3; ++r) sample.matrix.linear[c][r] = tiny(random);
         for (const Halves allowed : {Halves::normal, Halves::all}) {
-            std::array<std::uint16_t, 12> halves{};
-            round_affine(sample.matrix, sample.moment, allowed, halves);
-            for (const std::uint16_t half : halves) {
-                const int magnitude = half & 0x7FFF;
-                EXPECT_TRUE(allowed == Halves::all || magnitude == 0 || magnitude >= 0x0400) << half;
-                some = some || (magnitude > 0 && magnitude < 0x0400);
+            std::array<float, 12> rounded{};
+            round_affine(sample.matrix, sample.moment, allowed, rounded);
+            for (const float number : rounded) {
+                EXPECT_TRUE(is_a_half(number));
+                const bool is_subnormal = number != 0.0f && std::abs(number) < 0x1p-14f;
+                EXPECT_TRUE(allowed == Halves::all || !is_subnormal) << number;
+                some = some || is_subnormal;
             }
         }
     }
@@ -190,14 +194,14 @@ TEST(Rounding, WhatNoHalfHoldsIsInfinite) {
     Sample sample = random_sample(random, 1.0);
     sample.matrix.translation.y = 70000;
     sample.target.translation.y = 70000 * 4;
-    std::array<std::uint16_t, 12> affine{};
+    std::array<float, 12> affine{};
     round_affine(sample.matrix, sample.moment, Halves::normal, affine);
-    EXPECT_EQ(affine[7], 0x7C00);
-    std::array<std::uint16_t, 8> dual{};
+    EXPECT_GE(affine[7], 65520.0f);
+    std::array<float, 8> dual{};
     sample.matrix.translation.y = 70000 * 4;
     round_dualquat(sample.matrix, sample.target, sample.moment, kLength, Halves::normal, dual);
     EXPECT_TRUE(
-        std::any_of(dual.begin(), dual.end(), [](std::uint16_t h) { return (h & 0x7C00) == 0x7C00; }));
+        std::any_of(dual.begin(), dual.end(), [](float number) { return std::abs(number) >= 65520.0f; }));
 }
 
 TEST(Moments, AreThoseOfTheVertices) {
@@ -207,11 +211,11 @@ TEST(Moments, AreThoseOfTheVertices) {
     points.weights = {{1, 0, 0, 0}, {0.5f, 0.5f, 0, 0}};
     points.first = {0, 0, 1, 2, 2, 2};
     const auto moments = bone_moments(points, Spaces{}, 3, 2.0);
-    EXPECT_NEAR(moments[0].centroid().x, (1.0 + 0.25 * 3) / 1.25, 1e-12) << "weighted by the square";
+    EXPECT_NEAR(moments[0].centroid.x, (1.0 + 0.25 * 3) / 1.25, 1e-12) << "weighted by the square";
     EXPECT_NEAR(moments[0].radius, 3 - 1.4, 1e-12);
-    EXPECT_EQ(moments[1].centroid(), glm::dvec3(3, 0, 0));
+    EXPECT_EQ(moments[1].centroid, glm::dvec3(3, 0, 0));
     EXPECT_EQ(moments[1].radius, 0.0);
-    EXPECT_EQ(moments[2].centroid(), glm::dvec3(0.0)) << "no vertices: a ball about the origin";
+    EXPECT_EQ(moments[2].centroid, glm::dvec3(0.0)) << "no vertices: a ball about the origin";
     EXPECT_NEAR(moments[2].cost({1, 0, 0, 0}), 0.2, 1e-12);
 }
 

@@ -1,0 +1,126 @@
+/* SPDX-License-Identifier: MIT */
+/* A clip at a phase, whatever the row scheme. */
+#include "format/bytes.h"
+#include "loader/internal.h"
+
+static int is_open(const posepack_view* view) {
+    return view != NULL && view->bytes != NULL;
+}
+
+static posepack_run uniform_run(const posepack_view* view, const uint8_t* record, uint32_t bone) {
+    const posepack_header* h = &view->header;
+    const int is_loop = record[POSEPACK_CLIP_WRAP] == POSEPACK_WRAP_LOOP;
+    const int is_planar = h->texel_order == POSEPACK_ORDER_PLANAR;
+    const uint32_t first_row = posepack_read_u32(record + POSEPACK_CLIP_FIRST_ROW);
+    const uint32_t row_count = posepack_read_u32(record + POSEPACK_CLIP_ROW_COUNT);
+    posepack_run run;
+    run.texel_step = h->bone_count * h->texels_per_bone;
+    run.texel = first_row * run.texel_step + (is_planar ? bone : bone * h->texels_per_bone);
+    run.k_step = is_planar ? h->bone_count : 1;
+    run.interval_count = is_loop && row_count > 1 ? row_count : row_count - 1;
+    run.wraps = is_loop && row_count > 1 && record[POSEPACK_CLIP_CLOSING_ROW] == 0;
+    return run;
+}
+
+static posepack_run stored_run(const posepack_view* view, const uint8_t* record, uint32_t clip,
+                               uint32_t bone) {
+    const uint32_t stored = posepack_stored_run(view, clip, bone);
+    posepack_run run;
+    run.texel_step = record[POSEPACK_CLIP_TEXELS_PER_BONE];
+    run.texel = posepack_read_u32(record + POSEPACK_CLIP_FIRST_TEXEL) +
+                (stored & POSEPACK_RUN_OFFSET_MASK) * run.texel_step;
+    run.k_step = 1;
+    run.interval_count = stored >> POSEPACK_RUN_OFFSET_BITS;
+    run.wraps = 0;
+    return run;
+}
+
+static posepack_run run_of(const posepack_view* view, const uint8_t* record, uint32_t clip, uint32_t bone) {
+    return view->header.row_scheme == POSEPACK_ROWS_RUNS ? stored_run(view, record, clip, bone)
+                                                         : uniform_run(view, record, bone);
+}
+
+/* Where texel `texel` of the linear order is; NULL where bytes that changed since lead outside. */
+static const uint8_t* texel_at(const posepack_view* view, uint64_t texel, const posepack_bone_form* form) {
+    const posepack_header* h = &view->header;
+    const uint64_t line = texel / h->texture_width_texels;
+    const uint64_t offset = line * h->row_pitch_bytes + texel % h->texture_width_texels * form->texel_bytes;
+    const uint64_t size = view->sections[view->pixl_section].stored_bytes;
+    const uint64_t reach = (uint64_t)(form->texels_per_bone - 1) * form->k_step_bytes + form->texel_bytes;
+    return offset <= size && reach <= size - offset ? posepack_pixels(view) + offset : NULL;
+}
+
+static void clear(float* matrix) {
+    uint32_t i;
+    for (i = 0; i < 12; ++i) matrix[i] = 0.0f;
+}
+
+static void sample_run(const posepack_view* view, const uint8_t* record, const posepack_run* run, float phase,
+                       float* matrix) {
+    const uint32_t intervals = run->interval_count;
+    const float position = phase * (float)intervals;
+    uint32_t row = position >= (float)intervals ? (intervals > 0 ? intervals - 1 : 0) : (uint32_t)position;
+    float factor = position - (float)row;
+    uint32_t next = row + 1;
+    posepack_bone_form form;
+    const uint8_t *a, *b;
+    form.encoding = record[POSEPACK_CLIP_ENCODING];
+    form.texels_per_bone = posepack_encoding_texels(form.encoding);
+    form.texel_bytes = posepack_texel_bytes(view->header.texel_format);
+    form.k_step_bytes = run->k_step * form.texel_bytes;
+    form.dualquat_length = view->header.dualquat_length;
+    if (next == intervals && run->wraps) next = 0;
+    if (record[POSEPACK_CLIP_INTERPOLATION] == POSEPACK_INTERPOLATION_STEP) {
+        if (factor >= 1.0f) row = next;
+        factor = 0.0f;
+    }
+    a = texel_at(view, run->texel + (uint64_t)row * run->texel_step, &form);
+    b = factor > 0.0f ? texel_at(view, run->texel + (uint64_t)next * run->texel_step, &form) : a;
+    if (a == NULL || b == NULL || form.texels_per_bone == 0) {
+        clear(matrix);
+    } else if (factor > 0.0f) {
+        posepack_blend_texels(&form, a, b, factor, matrix);
+    } else {
+        posepack_decode_texels(&form, a, matrix);
+    }
+}
+
+/* Into 0 to 1; NaN compares with nothing and becomes 0. */
+static float clamped(float phase) {
+    if (!(phase > 0.0f)) return 0.0f;
+    return phase < 1.0f ? phase : 1.0f;
+}
+
+posepack_result posepack_get_run(const posepack_view* view, uint32_t clip_index, uint32_t bone,
+                                 posepack_run* run) {
+    if (!is_open(view) || run == NULL) return POSEPACK_ERROR_ARG;
+    if (clip_index >= view->header.clip_count || bone >= view->header.bone_count) {
+        return POSEPACK_ERROR_INDEX;
+    }
+    *run = run_of(view, posepack_clip_record(view, clip_index), clip_index, bone);
+    return POSEPACK_OK;
+}
+
+posepack_result posepack_sample_bone(const posepack_view* view, uint32_t clip_index, float phase,
+                                     uint32_t bone, float matrix[12]) {
+    posepack_run run;
+    const posepack_result result =
+        matrix == NULL ? POSEPACK_ERROR_ARG : posepack_get_run(view, clip_index, bone, &run);
+    if (result != POSEPACK_OK) return result;
+    sample_run(view, posepack_clip_record(view, clip_index), &run, clamped(phase), matrix);
+    return POSEPACK_OK;
+}
+
+posepack_result posepack_sample_pose(const posepack_view* view, uint32_t clip_index, float phase,
+                                     float* matrices) {
+    const uint8_t* record;
+    uint32_t bone;
+    if (!is_open(view) || matrices == NULL) return POSEPACK_ERROR_ARG;
+    if (clip_index >= view->header.clip_count) return POSEPACK_ERROR_INDEX;
+    record = posepack_clip_record(view, clip_index);
+    for (bone = 0; bone < view->header.bone_count; ++bone) {
+        const posepack_run run = run_of(view, record, clip_index, bone);
+        sample_run(view, record, &run, clamped(phase), matrices + 12 * (size_t)bone);
+    }
+    return POSEPACK_OK;
+}
