@@ -76,7 +76,7 @@ struct Fold {
 };
 
 // A node that draws a mesh: with a skin, and then its own transform is ignored (glTF 2.0 section 3.7.3.3);
-// or, in a model without any skin, rigidly with one bone of its own.
+// or rigidly, with one bone of its own, or that of a joint if it is one.
 struct Mesh {
     std::string name;
     std::uint32_t node = 0, mesh = 0;                // glTF indices
@@ -97,7 +97,7 @@ struct Vertices {
 struct Animal {
     std::vector<Node> nodes;                // in glTF order
     std::vector<std::uint32_t> node_order;  // parents before children
-    std::vector<Bone> bones;                // in the order of the skins' joints, equal pairs once
+    std::vector<Bone> bones;                // of the skins' joints in their order, then of rigid meshes
     std::vector<std::uint16_t> joint_map;   // bone of each (mesh's skin, joint)
     std::vector<Mesh> meshes;
     std::vector<Fold> folds;

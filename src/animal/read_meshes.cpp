@@ -46,16 +46,9 @@ base::Status append(ReadContext& context, const Primitive& primitive, const std:
     return report_repairs(context, repairs, where);
 }
 
-// Primitives without joints under a skinned node, and everything else a palette cannot move.
+// What a palette cannot move.
 void note_left_out(ReadContext& context) {
     const auto& model = context.model();
-    std::uint32_t rigid_meshes = 0;
-    for (const auto& node : model.nodes) rigid_meshes += node.mesh >= 0 && node.skin < 0 ? 1 : 0;
-    const bool is_rigid = !context.animal.meshes.empty() && context.animal.meshes.front().skin == kNone;
-    if (rigid_meshes > 0 && !is_rigid)
-        context.note(IssueCode::warn_left_out, "nodes",
-                     fmt::format("{} without a skin: not in the palette",
-                                 base::counted(rigid_meshes, "rigid mesh", "rigid meshes")));
     std::uint32_t morphed = 0;
     for (const auto& mesh : model.meshes)
         for (const auto& primitive : mesh.primitives) morphed += primitive.targets.empty() ? 0 : 1;

@@ -7,6 +7,7 @@
 #include "animal/bind_skins.hpp"
 #include "animal/names.hpp"
 #include "animal/read_parts.hpp"
+#include "animal/read_rigid_meshes.hpp"
 
 namespace posepack::animal {
 namespace {
@@ -84,45 +85,9 @@ void link_parents(Animal& animal) {
             bone.parent = bone_of_node[n];
 }
 
-// A model without any skin moves its meshes with their nodes: one bone a node, whose matrix is the node's own
-// global transform, because the vertices are in the space of the node.
-base::Status read_rigid_meshes(ReadContext& context) {
-    const auto& model = context.model();
-    Animal& animal = context.animal;
-    for (std::size_t n = 0; n < model.nodes.size(); ++n) {
-        const int mesh_index = model.nodes[n].mesh;
-        const std::string where = fmt::format("nodes/{}", n);
-        if (mesh_index < 0) continue;
-        if (static_cast<std::size_t>(mesh_index) >= model.meshes.size())
-            return Issue{
-                IssueCode::glb_reference, where,
-                fmt::format("expected one of {} meshes, found index {}", model.meshes.size(), mesh_index)};
-        if (animal.bones.size() >= kMaxBones)
-            return Issue{IssueCode::lim_bones, where,
-                         fmt::format("expected at most {} nodes with a mesh, found more", kMaxBones)};
-        Bone bone;
-        bone.name = animal.nodes[n].name;
-        bone.node = static_cast<std::uint32_t>(n);
-        animal.bones.push_back(std::move(bone));
-        auto name =
-            usable_name(model.meshes[static_cast<std::size_t>(mesh_index)].name, animal.nodes[n].name);
-        if (!name) return base::at(fmt::format("meshes/{}", mesh_index), name.issue());
-        Mesh mesh;
-        mesh.name = std::move(name).value();
-        mesh.node = static_cast<std::uint32_t>(n);
-        mesh.mesh = static_cast<std::uint32_t>(mesh_index);
-        mesh.first_joint = static_cast<std::uint32_t>(animal.joint_map.size());
-        mesh.joint_count = 1;
-        animal.joint_map.push_back(static_cast<std::uint16_t>(animal.bones.size() - 1));
-        animal.meshes.push_back(std::move(mesh));
-    }
-    return {};
-}
-
-base::Status read_skinned_meshes(ReadContext& context) {
+base::Status read_skinned_meshes(ReadContext& context, SkinBinder& binder) {
     const auto& model = context.model();
     std::map<int, SkinBones> skins;
-    SkinBinder binder(context.animal);
     for (std::size_t n = 0; n < model.nodes.size(); ++n) {
         const tinygltf::Node& node = model.nodes[n];
         const std::string where = fmt::format("nodes/{}", n);
@@ -160,9 +125,9 @@ base::Status read_skinned_meshes(ReadContext& context) {
 }  // namespace
 
 base::Status read_skins(ReadContext& context) {
-    if (auto status = read_skinned_meshes(context); !status) return status;
-    if (context.animal.meshes.empty())
-        if (auto status = read_rigid_meshes(context); !status) return status;
+    SkinBinder binder(context.animal);
+    if (auto status = read_skinned_meshes(context, binder); !status) return status;
+    if (auto status = read_rigid_meshes(context, binder); !status) return status;
     link_parents(context.animal);
     return {};
 }

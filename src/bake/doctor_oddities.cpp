@@ -155,7 +155,10 @@ void look_at_size(Diagnosis& diagnosis) {
             largest);
 }
 
-void look_at_file(const animal::FileFacts& facts, Diagnosis& diagnosis) {
+void look_at_file(const Animal& animal, const animal::FileFacts& facts, Diagnosis& diagnosis) {
+    const auto rigid_parts = static_cast<std::size_t>(
+        std::count_if(animal.meshes.begin(), animal.meshes.end(),
+                      [](const animal::Mesh& mesh) { return mesh.skin == animal::kNone; }));
     if (facts.scene_count > 1)
         add(diagnosis, "several-scenes", "It has {} scenes; nodes of all of them are read.",
             facts.scene_count);
@@ -163,6 +166,10 @@ void look_at_file(const animal::FileFacts& facts, Diagnosis& diagnosis) {
         add(diagnosis, "outside-images",
             "{} outside the file: textures are never opened, so nothing is missing for a bake.",
             counted(facts.outside_image_count, "image"));
+    if (facts.skinned_node_count > 0 && rigid_parts > 0)
+        add(diagnosis, "rigid-parts",
+            "{} beside the skinned ones (weapons, antlers): each moves with a bone of its own.",
+            counted(rigid_parts, "rigid model part"));
     if (facts.skinned_node_count == 0 && !facts.rigid_nodes.empty())
         add(diagnosis, "no-skin", "It has no skin: every node with a mesh becomes a bone of its own.");
 }
@@ -171,7 +178,7 @@ void look_at_file(const animal::FileFacts& facts, Diagnosis& diagnosis) {
 
 void find_oddities(const Animal& animal, Diagnosis& diagnosis) {
     if (diagnosis.facts) {
-        look_at_file(*diagnosis.facts, diagnosis);
+        look_at_file(animal, *diagnosis.facts, diagnosis);
         look_at_skins(animal, *diagnosis.facts, diagnosis);
     }
     look_at_armature(diagnosis);

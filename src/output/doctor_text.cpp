@@ -193,8 +193,6 @@ void write_findings(std::string& out, const Diagnosis& diagnosis, Treatment trea
 void write_left_out_names(std::string& out, const Diagnosis& diagnosis) {
     if (!diagnosis.facts || !diagnosis.skeleton) return;
     const animal::FileFacts& facts = *diagnosis.facts;
-    if (facts.skinned_node_count > 0 && !facts.rigid_nodes.empty())
-        out += fmt::format("    rigid meshes: {}\n", listed(facts.rigid_nodes));
     if (!facts.morphed_meshes.empty())
         out += fmt::format("    shapes that blend (morph targets): {} in {}\n", facts.morph_target_count,
                            listed(facts.morphed_meshes));

@@ -100,6 +100,12 @@ TEST(Repairs, WhatThePaletteCannotMoveIsNamed) {
         std::count_if(animal.findings.begin(), animal.findings.end(),
                       [](const base::Issue& f) { return f.code == IssueCode::warn_left_out; });
     EXPECT_EQ(left_out, 3) << "a rigid mesh, morph targets, a channel of morph weights";
+    const auto says = [&](const std::string& part) {
+        return std::count_if(animal.findings.begin(), animal.findings.end(),
+                             [&](const base::Issue& f) { return f.detail.find(part) != std::string::npos; });
+    };
+    EXPECT_EQ(says("1 rigid mesh that nothing moves: not in the palette (Saddle)"), 1);
+    EXPECT_EQ(says("'Rig|Wag' blends morph targets of 'Skin'"), 1) << "the clip and the mesh";
     EXPECT_EQ(animal.clips[0].channels.size(), 2u);
 }
 
