@@ -20,7 +20,11 @@
 namespace posepack::animal {
 
 inline constexpr std::uint32_t kNone = 0xFFFFFFFFu;
-inline constexpr std::size_t kMaxInfluences = 4;
+inline constexpr std::uint16_t kNoBone = 0xFFFFu;  // in a joint map: nothing moves by this joint
+// Of a vertex, at most; ReadOptions says how many of them are kept.
+inline constexpr std::size_t kMaxInfluences = 8;
+using InfluenceBones = std::array<std::uint16_t, kMaxInfluences>;
+using InfluenceWeights = std::array<float, kMaxInfluences>;
 
 // Translation, rotation (unit quaternion x, y, z, w) and scale of a node, relative to its parent.
 struct Transform {
@@ -65,7 +69,7 @@ struct Bone {
     std::uint32_t node = 0;
     std::uint32_t parent = kNone;  // bone of the nearest ancestor node that has one
     glm::dmat4 inverse_bind{1.0};
-    bool weighted = false;  // some vertex has a weight on it
+    bool weighted = false;  // some vertex of the file has a weight on it, kept or left out
 };
 
 // A skin whose inverse binds are those of other bones times one matrix X, within the rounding of floats: its
@@ -90,18 +94,31 @@ struct Mesh {
 struct Vertices {
     std::vector<std::array<float, 3>> positions;
     std::vector<std::array<float, 3>> normals;  // zero where the primitive has none
-    std::vector<std::array<std::uint16_t, kMaxInfluences>> bones;
-    std::vector<std::array<float, kMaxInfluences>> weights;  // falling, sum 1; unused ones zero
+    std::vector<InfluenceBones> bones;
+    std::vector<InfluenceWeights> weights;  // falling, sum 1; unused ones zero
+};
+
+// All influences of the vertices that have more than were kept, to measure what leaving some out costs.
+struct ReducedVertices {
+    std::vector<std::uint32_t> vertices;  // rising
+    std::vector<std::uint32_t> first;     // of each, where its influences begin
+    std::vector<std::uint16_t> bones;
+    std::vector<float> weights;  // of each vertex falling, sum 1
+
+    std::uint32_t end_of(std::size_t index) const {
+        return index + 1 < first.size() ? first[index + 1] : static_cast<std::uint32_t>(bones.size());
+    }
 };
 
 struct Animal {
     std::vector<Node> nodes;                // in glTF order
     std::vector<std::uint32_t> node_order;  // parents before children
     std::vector<Bone> bones;                // of the skins' joints in their order, then of rigid meshes
-    std::vector<std::uint16_t> joint_map;   // bone of each (mesh's skin, joint)
+    std::vector<std::uint16_t> joint_map;   // bone of each (mesh's skin, joint), or kNoBone
     std::vector<Mesh> meshes;
     std::vector<Fold> folds;
     Vertices vertices;
+    ReducedVertices reduced;
     std::vector<Clip> clips;
     std::vector<float> key_times;  // seconds, of all channels
     std::vector<float> key_values;

@@ -30,8 +30,10 @@ base::Status report_repairs(ReadContext& context, const WeightRepairs& repairs, 
     return context.repair(
         IssueCode::warn_influences, IssueCode::glb_weights, where,
         fmt::format(
-            "expected at most 4 influences, found {} with more: up to {:.3g} of a vertex's weight dropped",
-            base::counted(repairs.truncated, "vertex", "vertices"), repairs.truncated_weight_max));
+            "expected at most {} influences, found {} with more, up to {}: at most {:.3g} of a vertex's "
+            "weight left out",
+            context.options.influences, base::counted(repairs.truncated, "vertex", "vertices"),
+            repairs.influences_most, repairs.truncated_weight_max));
 }
 
 base::Status append(ReadContext& context, const Primitive& primitive, const std::string& where) {
@@ -41,8 +43,9 @@ base::Status append(ReadContext& context, const Primitive& primitive, const std:
                               primitive.positions.end());
     vertices.normals.insert(vertices.normals.end(), primitive.normals.begin(), primitive.normals.end());
     const auto repairs =
-        reduce_weights(primitive.bones, primitive.weights, primitive.influences,
-                       std::span(vertices.positions).subspan(first), context.neighbour_tests_left, vertices);
+        reduce_weights(primitive.bones, primitive.weights, primitive.influences, context.options.influences,
+                       std::span(vertices.positions).subspan(first), context.neighbour_tests_left, vertices,
+                       context.animal.reduced);
     return report_repairs(context, repairs, where);
 }
 
@@ -87,6 +90,7 @@ base::Status read_meshes(ReadContext& context) {
     for (std::size_t v = 0; v < vertices.bones.size(); ++v)
         for (std::size_t i = 0; i < kMaxInfluences; ++i)
             if (vertices.weights[v][i] > 0.0f) context.animal.bones[vertices.bones[v][i]].weighted = true;
+    for (const std::uint16_t bone : context.animal.reduced.bones) context.animal.bones[bone].weighted = true;
     note_left_out(context);
     return {};
 }

@@ -77,7 +77,8 @@ void look_at_skins(const Animal& animal, const animal::FileFacts& facts, Diagnos
     const auto bones = diagnosis.skeleton->unused_bones.size();
     if (bones > 0)
         add(diagnosis, "unused-bones",
-            "{} move no vertex (control or helper bones); they stay in the palette and cost memory.",
+            "{} move no vertex (control or helper bones); they stay in the palette and cost memory, unless "
+            "--unused-bones drop leaves them out.",
             counted(bones, "bone"));
 }
 

@@ -28,7 +28,8 @@ Bindings::Bindings(const animal::Animal& animal, const palette::Spaces& spaces)
         bindings.assign(bone_count_, animal::kNone);
         const Affine back = inverse(motion::bind_from_mesh(animal, mesh));
         for (std::uint32_t j = 0; j < mesh.joint_count; ++j) {
-            const std::uint32_t bone = animal.joint_map[mesh.first_joint + j];
+            const std::uint16_t bone = animal.joint_map[mesh.first_joint + j];
+            if (bone == animal::kNoBone) continue;
             bindings[bone] = static_cast<std::uint32_t>(size());
             folded_.push_back({bone, animal.bones[bone].node,
                                motion::affine_of(animal.folds[mesh.fold].inverse_binds[j]) * back,

@@ -13,11 +13,11 @@ using animal::kMaxInfluences;
 // What makes two vertices equal, as plain bytes.
 struct Key {
     std::array<float, 3> vector;
-    std::array<float, kMaxInfluences> weights;
-    std::array<std::uint16_t, kMaxInfluences> bones;
+    animal::InfluenceWeights weights;
+    animal::InfluenceBones bones;
     std::uint32_t fold;
 };
-static_assert(sizeof(Key) == 40, "compared and hashed as bytes: no padding");
+static_assert(sizeof(Key) == 64, "compared and hashed as bytes: no padding");
 
 std::uint64_t hash_of(const Key& key) {
     std::array<std::uint32_t, sizeof(Key) / 4> words;
@@ -50,7 +50,7 @@ std::vector<std::uint32_t> first_of_each(std::span<const Key> keys) {
     return firsts;
 }
 
-std::size_t influence_count(const std::array<float, kMaxInfluences>& weights) {
+std::size_t influence_count(const animal::InfluenceWeights& weights) {
     std::size_t count = 0;
     while (count < kMaxInfluences && weights[count] > 0.0f) ++count;
     return count;

@@ -16,8 +16,8 @@ namespace posepack::motion {
 // [first[n], first[n + 1]) have exactly n.
 struct SkinSet {
     std::vector<std::array<float, 3>> vectors;  // points, or directions
-    std::vector<std::array<std::uint16_t, animal::kMaxInfluences>> bones;
-    std::vector<std::array<float, animal::kMaxInfluences>> weights;
+    std::vector<animal::InfluenceBones> bones;
+    std::vector<animal::InfluenceWeights> weights;
     std::vector<std::uint32_t> vertices;  // the first vertex of the animal that each entry stands for
     std::array<std::uint32_t, animal::kMaxInfluences + 2> first{};
 

@@ -214,6 +214,14 @@ void write_bake(std::string& out, const DiagnosedBake& bake) {
         out += fmt::format(
             "  largest distance of a vertex from the source: {:.3g} mm ({} of the size R), in {}\n",
             bake.error_max_m * 1e3, readable_error(bake.error_max), shown(bake.worst_clip));
+    if (bake.reduced_vertex_count > 0)
+        out += fmt::format(
+            "  {} of {} vertices keep the four strongest of up to {} joints: that moves them by up to {:.3g} "
+            "mm\n"
+            "  ({} of the size R), in {}, and by {:.3g} mm as a mean square; --influences 8 keeps eight\n",
+            base::grouped(bake.reduced_vertex_count), base::grouped(bake.vertex_count), bake.influences_most,
+            bake.reduction_max_m * 1e3, readable_error(bake.reduction_max), shown(bake.reduction_clip),
+            bake.reduction_rms_m * 1e3);
 }
 
 }  // namespace

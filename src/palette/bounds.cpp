@@ -44,7 +44,7 @@ BoneBoxes::BoneBoxes(const animal::Animal& animal, const Spaces& spaces) {
         }
     }
     for (std::uint32_t b = 0; b < ranges.size(); ++b) {
-        if (!animal.bones[b].weighted) continue;
+        if (ranges[b].low[0] > ranges[b].high[0]) continue;
         BoneBox box{b, {}, {}};
         for (std::size_t c = 0; c < 3; ++c) {
             box.center[c] = 0.5 * (ranges[b].low[c] + ranges[b].high[c]);

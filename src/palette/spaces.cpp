@@ -27,7 +27,8 @@ std::vector<std::uint32_t> group_meshes(const Animal& animal, std::vector<std::u
     for (std::uint32_t m = 0; m < group.size(); ++m) {
         const animal::Mesh& mesh = animal.meshes[m];
         for (std::uint32_t j = 0; j < mesh.joint_count; ++j) {
-            const std::uint32_t bone = animal.joint_map[mesh.first_joint + j];
+            const std::uint16_t bone = animal.joint_map[mesh.first_joint + j];
+            if (bone == animal::kNoBone) continue;
             const std::uint32_t other = group_of_bone[bone];
             if (other == animal::kNone) {
                 group_of_bone[bone] = group[m];

@@ -24,7 +24,8 @@ enum class Space { automatic, model, normalised };  // of the rows; automatic: m
 enum class TexelFormat { rgba16f, rgba32f };
 enum class TexelOrder { bone_major, planar };
 enum class RowPitch { tight, align256 };
-enum class Caps { webgl2, desktop };  // largest texture side: 4096, 16384 texels
+enum class UnusedBones { keep, drop };  // bones that move no vertex
+enum class Caps { webgl2, desktop };    // largest texture side: 4096, 16384 texels
 enum class Wrap { automatic, loop, once, ping_pong };
 enum class Seam { automatic, closed, open };
 enum class ForwardAxis { plus_z, minus_z, plus_x, minus_x };
@@ -38,6 +39,8 @@ struct OutputOptions {
     RowPitch row_pitch = RowPitch::tight;
     Caps caps = Caps::webgl2;
     Space space = Space::automatic;
+    std::uint32_t influences = 4;  // that a vertex keeps: 4 or 8
+    UnusedBones unused_bones = UnusedBones::keep;
 
     bool is_normalised() const {
         return space == Space::normalised || (space == Space::automatic && encoding != Encoding::mat4);
@@ -52,6 +55,8 @@ struct OutputOverrides {
     std::optional<RowPitch> row_pitch;
     std::optional<Caps> caps;
     std::optional<Space> space;
+    std::optional<std::uint32_t> influences;
+    std::optional<UnusedBones> unused_bones;
 };
 
 // One wish for clips of an animal: a name, or a pattern with * and ?.
@@ -101,6 +106,7 @@ std::string_view name_of(TexelOrder);
 std::string_view name_of(RowPitch);
 std::string_view name_of(Caps);
 std::string_view name_of(Space);
+std::string_view name_of(UnusedBones);
 std::string_view name_of(Wrap);
 std::string_view name_of(Seam);
 std::string_view name_of(ForwardAxis);

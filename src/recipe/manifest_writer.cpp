@@ -35,6 +35,15 @@ Json error_json(const ErrorRecord& error, bool names_clip) {
     return json;
 }
 
+Json reduction_json(const ReductionRecord& reduction) {
+    if (!reduction.measured) return nullptr;
+    return {{"clip", reduction.clip},           {"influences_most", reduction.influences_most},
+            {"max", number(reduction.max)},     {"max_m", number(reduction.max_m)},
+            {"mesh", reduction.mesh},           {"rms", number(reduction.rms)},
+            {"rms_m", number(reduction.rms_m)}, {"time_s", number(reduction.time_s)},
+            {"vertex", reduction.vertex},       {"vertex_count", reduction.vertex_count}};
+}
+
 Json clip_json(const ClipRecord& clip) {
     return {{"error", error_json(clip.error, false)},
             {"first_row", clip.first_row},
@@ -81,6 +90,7 @@ Json record_json(const BakeRecord& record) {
             {"model_sha256", record.model_sha256},
             {"radius_m", number(record.radius_m)},
             {"recipe_sha256", record.recipe_sha256},
+            {"reduction", reduction_json(record.reduction)},
             {"remarks", record.remarks},
             {"row_count", record.row_count},
             {"states", std::move(states)},

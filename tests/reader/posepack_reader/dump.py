@@ -6,7 +6,7 @@ import struct
 
 from posepack_reader.dualquat import dualquat_matrices
 from posepack_reader.framing import HEADER_FIELDS, HEADER_FLOATS
-from posepack_reader.values import NONE, value
+from posepack_reader.values import NO_BONE, NONE, value
 
 
 def hex_bits(bits):
@@ -102,5 +102,5 @@ def dump(container):
         yield (f"mesh {number} {quoted(mesh['name'])} node {mesh['node']} mesh {mesh['mesh']} skin {mesh['skin']} "
                f"vertices {mesh['vertex_count']}")
         yield f"  palette_from_mesh {hex_list(mesh['palette_from_mesh'])}"
-        yield "  joints" + "".join(f" {bone}" for bone in mesh["joints"])
+        yield "  joints" + "".join(" none" if bone == NO_BONE else f" {bone}" for bone in mesh["joints"])
     yield from dump_rows(container)

@@ -47,7 +47,7 @@ TEST(Repairs, WeightsAreCountedInVertices) {
     const base::Issue finding = only_finding(animal, IssueCode::warn_weights);
     EXPECT_EQ(finding.where, "meshes/0/primitives/0");
     EXPECT_NE(finding.detail.find("found 3 vertices "), std::string::npos) << finding.detail;
-    EXPECT_EQ(animal.vertices.weights[0], (std::array<float, 4>{1, 0, 0, 0}));
+    EXPECT_EQ(animal.vertices.weights[0], (InfluenceWeights{1, 0, 0, 0}));
 }
 
 TEST(Repairs, AVertexWithoutWeightsFollowsItsNeighbour) {

@@ -41,7 +41,7 @@ TEST_F(Toy, EveryVertexFollowsItsMeshsBoneAlone) {
         for (std::uint32_t v = 0; v < toy_.meshes[m].vertex_count; ++v, ++seen) {
             const std::size_t vertex = toy_.meshes[m].first_vertex + v;
             EXPECT_EQ(toy_.vertices.bones[vertex][0], m);
-            EXPECT_EQ(toy_.vertices.weights[vertex], (std::array<float, 4>{1, 0, 0, 0}));
+            EXPECT_EQ(toy_.vertices.weights[vertex], (InfluenceWeights{1, 0, 0, 0}));
         }
     EXPECT_EQ(seen, toy_.vertices.positions.size());
     EXPECT_GT(seen, 100u);
