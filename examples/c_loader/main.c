@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Loads a palette with stdio, lists its clips and decodes one matrix.
+ * Loads a palette with stdio, lists its clips and decodes one matrix, whatever the row scheme.
  *
  *     c_loader FILE.posepack
  */
@@ -50,9 +50,8 @@ int main(int argument_count, char** arguments) {
         printf("%-20.*s %5" PRIu32 " rows at %g Hz, %g s\n", (int)clip.name.size_bytes, clip.name.data,
                clip.row_count, (double)clip.rate_hz, (double)clip.period_s);
     }
-    /* The skinning matrix of bone 0 in the first row of the first clip. */
-    posepack_get_clip(&view, 0, &clip);
-    posepack_decode_bone(&view, clip.first_row, 0, m);
+    /* The skinning matrix of bone 0 where the first clip begins. */
+    posepack_sample_bone(&view, 0, 0.0f, 0, m);
     for (i = 0; i < 12; i += 4) {
         printf("%10g %10g %10g %10g\n", (double)m[i], (double)m[i + 1], (double)m[i + 2], (double)m[i + 3]);
     }

@@ -10,13 +10,11 @@
  * Use:
  *
  *     posepack_view view;
- *     posepack_clip clip;
  *     uint32_t index;
  *     float matrix[12];
  *     if (posepack_open(&view, bytes, size) != POSEPACK_OK) return 0;
  *     if (posepack_find_clip(&view, "walk", &index) != POSEPACK_OK) return 0;
- *     posepack_get_clip(&view, index, &clip);
- *     posepack_decode_bone(&view, clip.first_row, 0, matrix);
+ *     posepack_sample_bone(&view, index, 0.25f, 0, matrix);  (bone 0, a quarter through the clip)
  *
  * Memory: no allocation, no I/O, no globals, no recursion. The view copies header and section
  * table; everything else points into the caller's bytes, which must outlive the view. Bytes may
@@ -270,10 +268,11 @@ posepack_result posepack_get_run(const posepack_view* view, uint32_t clip_index,
                                  posepack_run* run);
 
 /*
- * Decodes one bone of a clip at a phase, as a shader does, under every row scheme.
+ * Decodes one bone of a clip at a phase, as a shader does, under every row scheme: between two rows of its
+ * run, or one row alone where the clip is made of steps or the row is a cut.
  *   phase  0 to 1 over the clip's period_s: what wrap makes of the time (docs/format/posepack-1.md, section
  *          11). Smaller values and NaN count as 0, larger ones as 1.
- * OK, ARG or INDEX.
+ * OK, ARG or INDEX. O(1) but for a search among the clip's cuts.
  */
 posepack_result posepack_sample_bone(const posepack_view* view, uint32_t clip_index, float phase,
                                      uint32_t bone, float matrix[12]);

@@ -37,6 +37,9 @@ base::Status report_repairs(ReadContext& context, const WeightRepairs& repairs, 
 }
 
 base::Status append(ReadContext& context, const Primitive& primitive, const std::string& where) {
+    constexpr std::size_t kInfluenceBytes = sizeof(InfluenceBones) + sizeof(InfluenceWeights);
+    if (auto s = context.accessors.take(primitive.positions.size(), kInfluenceBytes); !s)
+        return base::at(where, s.issue());
     Vertices& vertices = context.animal.vertices;
     const std::size_t first = vertices.positions.size();
     vertices.positions.insert(vertices.positions.end(), primitive.positions.begin(),

@@ -11,6 +11,7 @@
 
 #include "animal/read_animal.hpp"
 #include "animal/unused_bones.hpp"
+#include "bake/choose_rows.hpp"
 #include "bake/influences.hpp"
 #include "bake/records.hpp"
 #include "bake/select_clips.hpp"
@@ -61,15 +62,37 @@ Issue too_many_rows(const std::string& clip, std::uint64_t rows) {
                         rows)};
 }
 
-base::Status plan_clips(const Animal& animal, const std::vector<ClipChoice>& choices,
-                        const motion::SkinSet& points, Palette& palette, std::vector<Issue>& findings) {
-    std::uint64_t rows = 0;
+// What a seam that counts as closed may miss by: a share of the largest error allowed.
+constexpr double kSeamShare = 0.25;
+
+// The bound of each clip as fractions of R: its own, else the animal's.
+std::vector<fit::Limits> clip_limits(const recipe::AnimalEntry& entry, const std::vector<ClipChoice>& choices,
+                                     const Palette& palette) {
+    const double radius_m = palette.radius * palette.metres_per_unit;
+    const auto fraction = [&](const std::optional<recipe::ErrorLimit>& limit) {
+        return limit ? limit->fraction(radius_m) : HUGE_VAL;
+    };
+    std::vector<fit::Limits> limits;
     for (const ClipChoice& choice : choices) {
+        const recipe::ErrorBound& bound = choice.bound ? *choice.bound : *entry.output.bound;
+        limits.push_back({fraction(bound.max), fraction(bound.p999), fraction(bound.rms)});
+    }
+    return limits;
+}
+
+base::Status plan_clips(const Animal& animal, const std::vector<ClipChoice>& choices,
+                        const std::vector<fit::Limits>& bounds, const motion::SkinSet& points,
+                        Palette& palette, std::vector<Issue>& findings) {
+    std::uint64_t rows = 0;
+    for (std::size_t c = 0; c < choices.size(); ++c) {
+        const ClipChoice& choice = choices[c];
         const animal::Clip& clip = animal.clips[choice.source];
         motion::ClipSampler sampler(animal, clip);
+        motion::RowWish wish = choice.wish;
+        if (!bounds.empty()) wish.largest_gap = kSeamShare * bounds[c].max;
         palette::PaletteClip out;
         out.source = choice.source;
-        out.plan = motion::plan_rows(animal, clip, sampler, points, palette.radius, choice.wish);
+        out.plan = motion::plan_rows(animal, clip, sampler, points, palette.radius, wish);
         out.speed_mps = choice.speed_mps;
         out.stride_phase = choice.stride_phase;
         rows += out.plan.row_count;
@@ -179,7 +202,8 @@ base::Status check_seam_gaps(const Animal& animal, const Palette& palette) {
 }
 
 base::Result<Palette> make_palette(const recipe::AnimalEntry& entry, const Animal& animal,
-                                   const motion::SkinSet& points, std::vector<Issue>& findings) {
+                                   const motion::SkinSet& points, std::vector<Issue>& findings,
+                                   std::vector<std::vector<Attempt>>& attempts) {
     auto choices = select_clips(animal, entry);
     if (!choices) return choices.issue();
     auto states = choose_states(animal, entry, choices.value());
@@ -194,13 +218,25 @@ base::Result<Palette> make_palette(const recipe::AnimalEntry& entry, const Anima
         !(radius_m > 0.0f) || !std::isfinite(radius_m))
         return Issue{IssueCode::glb_no_extent, "",
                      fmt::format("expected a rest pose with a size, found a radius of {:.3g} m", radius_m)};
-    if (auto status = plan_clips(animal, choices.value(), points, palette, findings); !status)
+    const std::vector<fit::Limits> bounds =
+        entry.output.bound ? clip_limits(entry, choices.value(), palette) : std::vector<fit::Limits>{};
+    if (auto status = plan_clips(animal, choices.value(), bounds, points, palette, findings); !status)
         return status.issue();
     palette.spaces =
         entry.output.is_normalised() ? choose_spaces(animal, palette) : palette::model_space(animal);
     palette::RoundingAids aids;
     aids.halves = palette.spaces.normalised ? palette::Halves::normal : palette::Halves::all;
     aids.moments = palette::bone_moments(points, palette.spaces, animal.bones.size(), palette.reach());
+    if (entry.output.bound) {
+        const std::uint8_t texel_format = entry.output.texel_format == recipe::TexelFormat::rgba16f
+                                              ? POSEPACK_TEXEL_RGBA16F
+                                              : POSEPACK_TEXEL_RGBA32F;
+        if (auto status = choose_palette_rows(animal, points, bounds, texel_format, aids, palette, attempts);
+            !status)
+            return status.issue();
+        if (auto status = check_seam_gaps(animal, palette); !status) return status.issue();
+        return palette;
+    }
     if (entry.output.encoding == recipe::Encoding::dualquat) {
         if (auto status = fit_dualquats(animal, aids.moments, palette); !status) return status.issue();
         aids.dualquat_length = palette.dualquat_length;
@@ -243,7 +279,8 @@ base::Result<BakedAnimal> bake_animal(const recipe::AnimalEntry& entry, std::spa
         baked.findings.push_back(base::at(entry.model, finding));
     const motion::SkinSet points = motion::unique_points(animal.value());
     std::vector<Issue> remarks;
-    auto palette = make_palette(entry, animal.value(), points, remarks);
+    std::vector<std::vector<Attempt>> attempts;
+    auto palette = make_palette(entry, animal.value(), points, remarks, attempts);
     if (!palette) return base::at(entry.id, palette.issue());
     for (const Issue& remark : remarks) baked.findings.push_back(base::at(entry.id, remark));
 
@@ -269,6 +306,7 @@ base::Result<BakedAnimal> bake_animal(const recipe::AnimalEntry& entry, std::spa
     baked.measure_s = measure_watch.elapsed_s();
 
     recipe::BakeRecord& record = baked.record;
+    for (std::size_t c = 0; c < attempts.size(); ++c) record.clips[c].tried = tried(attempts[c]);
     record.container_bytes = baked.container.size();
     record.container_sha256 = base::hexadecimal(base::sha256(baked.container));
     record.model_bytes = glb.size();
@@ -276,7 +314,7 @@ base::Result<BakedAnimal> bake_animal(const recipe::AnimalEntry& entry, std::spa
     record.recipe_sha256 = base::hexadecimal(
         base::sha256({reinterpret_cast<const std::uint8_t*>(recipe.data()), recipe.size()}));
     for (const Issue& finding : baked.findings) record.remarks.push_back(base::format_issue(finding));
-    if (options.compare_vat) {
+    if (options.compare_vat && !palette.value().has_runs()) {
         record.has_vram = true;
         record.vram = vram_of(record.row_count, record.bone_count, record.vertex_count);
     }

@@ -55,6 +55,7 @@ std::string options_text(const CatalogSource& source, const AnimalOptions& optio
     if (o.row_pitch) json["row_pitch"] = name_of(*o.row_pitch);
     if (o.influences) json["influences"] = *o.influences;
     if (o.unused_bones) json["unused_bones"] = name_of(*o.unused_bones);
+    if (o.bound) json["bound"] = nlohmann::json::parse(bound_json(*o.bound));
     if (o.caps) json["caps"] = name_of(*o.caps);
     if (source.rate_hz) json["rate_hz"] = *source.rate_hz;
     // In one order, each once: what is asked for does not depend on how.

@@ -76,6 +76,7 @@ recipe::ClipRecord clip_of(const posepack_view& view, const posepack_clip& clip)
     record.interpolation = clip.interpolation == POSEPACK_INTERPOLATION_STEP ? "step" : "linear";
     record.seam_gap = clip.seam_gap;
     record.speed_mps = clip.speed_mps;
+    record.encoding = output::encoding_name(clip.encoding);
     record.error = error_of(view, clip);
     return record;
 }
@@ -141,12 +142,32 @@ void fill_states(const posepack_view& view, recipe::BakeRecord& record) {
     }
 }
 
+// Bytes of the texels that hold rows, without fill.
+std::uint64_t texel_bytes_of(const posepack_view& view) {
+    const posepack_header& header = view.header;
+    const std::uint64_t texel_bytes = header.texel_format == POSEPACK_TEXEL_RGBA32F ? 16 : 8;
+    if (header.row_scheme != POSEPACK_ROWS_RUNS)
+        return texel_bytes * header.texels_per_bone * header.bone_count * header.row_count;
+    std::uint64_t texels = 0;
+    for (std::uint32_t bone = 0; bone < header.bone_count; ++bone) {
+        posepack_run run;  // the texels of the last clip end where those of all do
+        if (posepack_get_run(&view, header.clip_count - 1, bone, &run) == POSEPACK_OK)
+            texels = std::max<std::uint64_t>(
+                texels, run.texel + (std::uint64_t{run.interval_count} + 1) * run.texel_step);
+    }
+    return texels * texel_bytes;
+}
+
 void fill_clips(const posepack_view& view, recipe::BakeRecord& record) {
+    const std::vector<recipe::ClipRecord> listed = std::move(record.clips);
     record.clips.clear();
     for (std::uint32_t c = 0; c < view.header.clip_count; ++c) {
         posepack_clip clip;
         if (posepack_get_clip(&view, c, &clip) == POSEPACK_OK) record.clips.push_back(clip_of(view, clip));
     }
+    // What else was tried, the container cannot say.
+    for (std::size_t c = 0; c < std::min(listed.size(), record.clips.size()); ++c)
+        record.clips[c].tried = listed[c].tried;
 }
 
 void fill_layout(const posepack_view& view, recipe::BakeRecord& record) {
@@ -158,9 +179,8 @@ void fill_layout(const posepack_view& view, recipe::BakeRecord& record) {
     record.row_count = header.row_count;
     record.texture_width = header.texture_width_texels;
     record.texture_height = header.texture_height_texels;
-    const std::uint64_t texel_bytes = header.texel_format == POSEPACK_TEXEL_RGBA32F ? 16 : 8;
-    record.texel_bytes =
-        texel_bytes * header.texels_per_bone * header.bone_count * header.row_count;  // no fill
+    record.row_scheme = header.row_scheme == POSEPACK_ROWS_RUNS ? "runs" : "uniform";
+    record.texel_bytes = texel_bytes_of(view);
     record.radius_m = header.radius_m;
     posepack_space space;
     if (posepack_get_space(&view, &space) != POSEPACK_OK) return;

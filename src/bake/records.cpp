@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bake/records.hpp"
 
+#include "posepack/format.h"
 #include "vat/vram.hpp"
 
 namespace posepack::bake {
@@ -28,6 +29,13 @@ recipe::ErrorRecord error_record(const palette::ClipError& error, const animal::
     return record;
 }
 
+// One encoding, or "mixed" where clips differ.
+std::string_view runs_encoding(std::uint8_t encoding) {
+    if (encoding == POSEPACK_MIXED) return "mixed";
+    return recipe::name_of(encoding == POSEPACK_ENCODING_DUALQUAT ? recipe::Encoding::dualquat
+                                                                  : recipe::Encoding::affine);
+}
+
 }  // namespace
 
 recipe::BakeRecord describe(const recipe::AnimalEntry& entry, const animal::Animal& animal,
@@ -36,7 +44,9 @@ recipe::BakeRecord describe(const recipe::AnimalEntry& entry, const animal::Anim
     record.id = entry.id;
     record.container = entry.id + ".posepack";
     record.model = entry.model;
-    record.encoding = name_of(entry.output.encoding);
+    record.encoding =
+        palette.has_runs() ? runs_encoding(palette.layout.encoding) : recipe::name_of(entry.output.encoding);
+    record.row_scheme = palette.has_runs() ? "runs" : "uniform";
     record.texel_format = name_of(entry.output.texel_format);
     record.texel_order = name_of(entry.output.texel_order);
     record.bone_count = palette.layout.bone_count;
@@ -52,8 +62,9 @@ recipe::BakeRecord describe(const recipe::AnimalEntry& entry, const animal::Anim
         out.name = animal.clips[clip.source].name;
         out.source_name = animal.clips[clip.source].source_name;
         out.first_row = clip.first_row;
-        out.row_count = clip.plan.row_count;
-        out.rate_hz = static_cast<float>(clip.plan.rate_hz);
+        const bool has_runs = !clip.runs.is_empty();
+        out.row_count = has_runs ? clip.stored_rows() : clip.plan.row_count;
+        out.rate_hz = static_cast<float>(has_runs ? clip.runs_rate_hz() : clip.plan.rate_hz);
         out.period_s = clip.plan.row_count == 1 ? 0.0f : static_cast<float>(clip.plan.period_s);
         out.start_s = static_cast<float>(animal.clips[clip.source].start_s);
         out.wrap = name_of(clip.plan.wrap);
@@ -61,6 +72,7 @@ recipe::BakeRecord describe(const recipe::AnimalEntry& entry, const animal::Anim
         out.interpolation = clip.plan.step ? "step" : "linear";
         out.seam_gap = static_cast<float>(clip.plan.seam_gap);
         out.speed_mps = static_cast<float>(clip.speed_mps);
+        out.encoding = has_runs ? runs_encoding(clip.runs.encoding) : name_of(entry.output.encoding);
         if (stats != nullptr) out.error = error_record(stats->clips[c], animal, palette);
         record.clips.push_back(std::move(out));
     }
@@ -73,6 +85,14 @@ recipe::BakeRecord describe(const recipe::AnimalEntry& entry, const animal::Anim
         record.error.clip = record.clips[stats->worst_clip].name;
     }
     return record;
+}
+
+std::vector<recipe::TryRecord> tried(const std::vector<Attempt>& attempts) {
+    std::vector<recipe::TryRecord> out;
+    for (const Attempt& one : attempts)
+        out.push_back({std::string(runs_encoding(one.encoding)), one.bytes, one.max, one.p999, one.rms,
+                       one.keeps_bound});
+    return out;
 }
 
 recipe::VramRecord vram_of(std::uint64_t row_count, std::uint64_t bone_count, std::uint64_t vertex_count) {

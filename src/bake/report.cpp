@@ -19,6 +19,7 @@ constexpr recipe::TexelFormat kFormats[] = {recipe::TexelFormat::rgba32f, recipe
 base::Result<ReportRow> report_form(recipe::AnimalEntry entry, std::span<const std::uint8_t> glb,
                                     const motion::SkinSet& points, std::optional<double> rate_hz) {
     entry.rate_hz = rate_hz;
+    entry.output.bound.reset();
     for (recipe::ClipWish& wish : entry.clips) wish.rate_hz = rate_hz;
     entry.output.caps = recipe::Caps::desktop;  // no form may fail for its texture's size alone
     const auto baked = bake_animal(entry, glb, AnimalOptions{});

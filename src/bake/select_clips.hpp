@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct ClipChoice {
     double speed_mps = 0.0;
     double stride_phase = 0.0;
     std::vector<std::string> states;
+    std::optional<recipe::ErrorBound> bound;  // of this clip alone
 };
 
 // The clips that `entry` wishes for, in the order of its wishes; every clip in file order when it has none.

@@ -83,7 +83,25 @@ output::TextTable summary_table(const bake::BakeOutcome& outcome, bool with_vat)
     return table;
 }
 
+// A bound chooses what these would set.
+base::Status check_choice(const Options& options) {
+    const recipe::OutputOverrides& o = options.source->overrides;
+    if (!o.bound) return {};
+    const std::pair<bool, const char*> fixed[] = {{o.encoding.has_value(), "--encoding"},
+                                                  {options.source->rate_hz.has_value(), "--rate"},
+                                                  {o.texel_order.has_value(), "--texel-order"},
+                                                  {o.row_pitch.has_value(), "--row-pitch"},
+                                                  {options.bake.animal.compare_vat, "--compare-vat"}};
+    for (const auto& [is_given, name] : fixed)
+        if (is_given)
+            return base::Issue{
+                base::IssueCode::usage, name,
+                fmt::format("expected --max-error, which chooses form and rows, or {}, found both", name)};
+    return {};
+}
+
 int run(const Options& options) {
+    if (const auto status = check_choice(options); !status) return fail(status.issue());
     const auto outcome = bake::bake_catalog(*options.source, options.bake);
     if (!outcome) return fail(outcome.issue());
     const bake::BakeOutcome& done = outcome.value();
@@ -113,6 +131,7 @@ Runner add_bake(CLI::App& app) {
         ->required()
         ->type_name("DIR");
     add_output_options(app, options->source);
+    add_bound_options(app, options->source);
     app.add_flag("--strict", options->bake.animal.strict, "Refuse what would be repaired");
     app.add_flag("--allow-data-uris", options->bake.animal.allow_data_uris,
                  "Read buffers that stand as base64 in a model's JSON");

@@ -25,6 +25,7 @@ struct Options {
     std::shared_ptr<Format> format = std::make_shared<Format>(Format::text);
     std::string clip, bone;
     std::optional<std::uint32_t> row;
+    std::optional<double> phase;
     bool bones = false;
 };
 
@@ -148,18 +149,41 @@ struct BoneRow {
     std::uint32_t row = 0, bone = 0;
 };
 
+base::Result<std::uint32_t> find_bone(const posepack_view& view, const Options& options) {
+    std::uint32_t bone = 0;
+    if (options.bone.empty() || posepack_find_bone(&view, options.bone.c_str(), &bone) == POSEPACK_OK)
+        return bone;
+    const bool number =
+        options.bone.find_first_not_of("0123456789") == std::string::npos && options.bone.size() < 6;
+    if (number) bone = static_cast<std::uint32_t>(std::stoul(options.bone));
+    if (!number || bone >= view.header.bone_count)
+        return Issue{
+            IssueCode::usage, "--bone",
+            fmt::format("expected a name or 0 to {}, found '{}'", view.header.bone_count - 1, options.bone)};
+    return bone;
+}
+
+base::Result<std::uint32_t> find_clip(const posepack_view& view, const Options& options) {
+    std::uint32_t index = 0;
+    if (posepack_find_clip(&view, options.clip.c_str(), &index) == POSEPACK_OK) return index;
+    return Issue{IssueCode::usage, "--clip",
+                 fmt::format("expected one of the container's {} clips, found '{}'", view.header.clip_count,
+                             options.clip)};
+}
+
 base::Result<BoneRow> find_bone_row(const posepack_view& view, const Options& options) {
     BoneRow place;
+    if (view.header.row_scheme != POSEPACK_ROWS_UNIFORM)
+        return Issue{
+            IssueCode::usage, "--row",
+            "expected --phase and --clip, because the bones of this palette share no rows, found --row"};
     std::uint32_t row_limit = view.header.row_count;
     std::uint32_t first_row = 0;
     if (!options.clip.empty()) {
-        std::uint32_t index = 0;
+        const auto index = find_clip(view, options);
+        if (!index) return index.issue();
         posepack_clip clip;
-        if (posepack_find_clip(&view, options.clip.c_str(), &index) != POSEPACK_OK ||
-            posepack_get_clip(&view, index, &clip) != POSEPACK_OK)
-            return Issue{IssueCode::usage, "--clip",
-                         fmt::format("expected one of the container's {} clips, found '{}'",
-                                     view.header.clip_count, options.clip)};
+        posepack_get_clip(&view, index.value(), &clip);
         first_row = clip.first_row;
         row_limit = clip.row_count;
     }
@@ -167,27 +191,50 @@ base::Result<BoneRow> find_bone_row(const posepack_view& view, const Options& op
         return Issue{IssueCode::usage, "--row",
                      fmt::format("expected 0 to {}, found {}", row_limit - 1, *options.row)};
     place.row = first_row + *options.row;
-    if (options.bone.empty() || posepack_find_bone(&view, options.bone.c_str(), &place.bone) == POSEPACK_OK)
-        return place;
-    const bool number =
-        options.bone.find_first_not_of("0123456789") == std::string::npos && options.bone.size() < 6;
-    if (number) place.bone = static_cast<std::uint32_t>(std::stoul(options.bone));
-    if (!number || place.bone >= view.header.bone_count)
-        return Issue{
-            IssueCode::usage, "--bone",
-            fmt::format("expected a name or 0 to {}, found '{}'", view.header.bone_count - 1, options.bone)};
+    const auto bone = find_bone(view, options);
+    if (!bone) return bone.issue();
+    place.bone = bone.value();
     return place;
 }
 
-int print_matrix(const posepack_view& view, const Options& options) {
+// What is shown: a row or a phase, the bone and its matrix.
+struct Matrix {
+    nlohmann::json where;  // "row", or "clip" and "phase"
+    std::string title;
+    std::uint32_t bone = 0;
+    float m[12] = {};
+};
+
+base::Result<Matrix> matrix_at_row(const posepack_view& view, const Options& options) {
     const auto place = find_bone_row(view, options);
-    if (!place) return fail(place.issue());
-    float m[12];
+    if (!place) return place.issue();
+    Matrix out{
+        {{"row", place.value().row}}, fmt::format("row {}", place.value().row), place.value().bone, {}};
+    posepack_decode_bone(&view, place.value().row, out.bone, out.m);
+    return out;
+}
+
+base::Result<Matrix> matrix_at_phase(const posepack_view& view, const Options& options) {
+    if (options.clip.empty())
+        return Issue{IssueCode::usage, "--phase", "expected --clip with it, found none"};
+    const auto clip = find_clip(view, options);
+    if (!clip) return clip.issue();
+    const auto bone = find_bone(view, options);
+    if (!bone) return bone.issue();
+    Matrix out{{{"clip", options.clip}, {"phase", *options.phase}},
+               fmt::format("{} at phase {:g}", options.clip, *options.phase),
+               bone.value(),
+               {}};
+    posepack_sample_bone(&view, clip.value(), static_cast<float>(*options.phase), out.bone, out.m);
+    return out;
+}
+
+int print_matrix(const posepack_view& view, const Options& options) {
+    const auto found = options.phase ? matrix_at_phase(view, options) : matrix_at_row(view, options);
+    if (!found) return fail(found.issue());
+    const float* m = found.value().m;
     posepack_bone bone;
-    if (posepack_decode_bone(&view, place.value().row, place.value().bone, m) != POSEPACK_OK ||
-        posepack_get_bone(&view, place.value().bone, &bone) != POSEPACK_OK)
-        return fail({IssueCode::pack_invalid, options.container,
-                     "expected a bone-row that the loader decodes, found one that it does not"});
+    posepack_get_bone(&view, found.value().bone, &bone);
     if (*options.format == Format::json) {
         nlohmann::json rows = nlohmann::json::array();
         for (int r = 0; r < 3; ++r) {
@@ -195,15 +242,15 @@ int print_matrix(const posepack_view& view, const Options& options) {
             for (int c = 0; c < 4; ++c) row.push_back(base::widened(m[r * 4 + c]));
             rows.push_back(row);
         }
-        fmt::print("{}\n", nlohmann::json{{"schema", "posepack-matrix-1"},
-                                          {"row", place.value().row},
-                                          {"bone", place.value().bone},
-                                          {"name", text_of(bone.name)},
-                                          {"matrix", rows}}
-                               .dump(1));
+        nlohmann::json json{{"schema", "posepack-matrix-1"},
+                            {"bone", found.value().bone},
+                            {"name", text_of(bone.name)},
+                            {"matrix", rows}};
+        json.update(found.value().where);
+        fmt::print("{}\n", json.dump(1));
         return 0;
     }
-    fmt::print("row {}, bone {} ({}):\n", place.value().row, place.value().bone, text_of(bone.name));
+    fmt::print("{}, bone {} ({}):\n", found.value().title, found.value().bone, text_of(bone.name));
     for (int r = 0; r < 3; ++r)
         fmt::print("{:>14} {:>14} {:>14} {:>14}\n", base::shortest(m[r * 4]), base::shortest(m[r * 4 + 1]),
                    base::shortest(m[r * 4 + 2]), base::shortest(m[r * 4 + 3]));
@@ -211,13 +258,15 @@ int print_matrix(const posepack_view& view, const Options& options) {
 }
 
 int run(const Options& options) {
-    if (!options.row && (!options.clip.empty() || !options.bone.empty()))
+    if (options.row && options.phase)
+        return fail({IssueCode::usage, "--phase", "expected --row or --phase, found both"});
+    if (!options.row && !options.phase && (!options.clip.empty() || !options.bone.empty()))
         return fail({IssueCode::usage, options.clip.empty() ? "--bone" : "--clip",
-                     "expected --row with it, for one bone-row as a matrix, found none"});
+                     "expected --row or --phase with it, for one bone as a matrix, found none"});
     const auto file = open_container(options.container);
     if (!file) return fail(file.issue());
     const posepack_view& view = file.value().view;
-    if (options.row) return print_matrix(view, options);
+    if (options.row || options.phase) return print_matrix(view, options);
     if (*options.format == Format::json)
         fmt::print("{}\n", output::container_json(view, 1));
     else
@@ -235,7 +284,11 @@ Runner add_inspect(CLI::App& app) {
         ->check(whole_between(0, POSEPACK_MAX_ROWS - 1))
         ->group("Matrix")
         ->type_name("N");
-    app.add_option("--clip", options->clip, "Clip that --row counts from")
+    app.add_option("--phase", options->phase, "Show one bone at a phase of --clip as a matrix, 0 to 1")
+        ->check(number_between(0.0, 1.0))
+        ->group("Matrix")
+        ->type_name("P");
+    app.add_option("--clip", options->clip, "Clip that --row counts from, or --phase means")
         ->group("Matrix")
         ->type_name("NAME");
     app.add_option("--bone", options->bone, "Bone by name or number (default: 0)")

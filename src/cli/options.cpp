@@ -42,6 +42,28 @@ void add_choice(CLI::App& app, const std::string& flag, const std::string& help,
         ->type_name("NAME");
 }
 
+// A limit beside --max-error, which CLI11 makes sure comes too; their order on the command line is free.
+void add_limit(CLI::App& app, const std::string& flag, const std::string& what,
+               const std::shared_ptr<bake::CatalogSource>& source,
+               std::optional<recipe::ErrorLimit> recipe::ErrorBound::*field) {
+    app.add_option_function<std::string>(
+           flag,
+           [flag, source, field](const std::string& text) {
+               const auto limit = recipe::parse_error_limit(text);
+               if (!limit)
+                   throw CLI::ValidationError(
+                       flag, fmt::format("expected a fraction of the radius (0.02), millimetres (5mm) or "
+                                         "pixels (1px@20m,1080,60), found '{}'",
+                                         text));
+               if (!source->overrides.bound) source->overrides.bound.emplace();
+               (*source->overrides.bound).*field = limit;
+           },
+           fmt::format("Bound {}; with --max-error", what))
+        ->needs("--max-error")
+        ->group("Output")
+        ->type_name("LIMIT");
+}
+
 // A validator that takes a text when all of it reads as a Number from `least` to `most`. NaN compares with
 // nothing, so it is refused; infinity lies outside of any range.
 template <class Number>
@@ -108,6 +130,28 @@ void add_output_options(CLI::App& app, const std::shared_ptr<bake::CatalogSource
         ->check(number_between(1.0, 1000.0))
         ->group("Output")
         ->type_name("HZ");
+}
+
+void add_bound_options(CLI::App& app, const std::shared_ptr<bake::CatalogSource>& source) {
+    app.add_option_function<std::string>(
+           "--max-error",
+           [source](const std::string& text) {
+               const auto bound = recipe::parse_error_bound(text);
+               if (!bound)
+                   throw CLI::ValidationError("--max-error", fmt::format("expected one of {}, found '{}'",
+                                                                         recipe::kErrorLimitForms, text));
+               const auto given = source->overrides.bound;
+               source->overrides.bound = bound;
+               if (given && given->p999) source->overrides.bound->p999 = given->p999;
+               if (given && given->rms) source->overrides.bound->rms = given->rms;
+           },
+           fmt::format("Smallest form and rows whose largest error stays within: {}; p99.9 within a quarter",
+                       recipe::kErrorLimitForms))
+        ->group("Output")
+        ->type_name("BOUND");
+    add_limit(app, "--p999-error", "of 99.9 % of the errors, instead of a quarter", source,
+              &recipe::ErrorBound::p999);
+    add_limit(app, "--rms-error", "of their root mean square", source, &recipe::ErrorBound::rms);
 }
 
 void add_format_option(CLI::App& app, const std::shared_ptr<Format>& format, bool with_csv) {

@@ -18,6 +18,9 @@ void add_catalog_options(CLI::App& app, const std::shared_ptr<bake::CatalogSourc
 // --rate: they beat the catalog.
 void add_output_options(CLI::App& app, const std::shared_ptr<bake::CatalogSource>& source);
 
+// --max-error, --p999-error, --rms-error: form and rows are chosen by a bound.
+void add_bound_options(CLI::App& app, const std::shared_ptr<bake::CatalogSource>& source);
+
 // Checks of an option's text, shared by every option that takes a number: finite, in decimal, in the range,
 // and nothing behind it. What is refused reads "expected a number from 1 to 1000, found 'nan'".
 CLI::Validator number_between(double least, double most);

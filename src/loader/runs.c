@@ -51,8 +51,8 @@ int posepack_runs_are_valid(const posepack_view* view) {
         const uint32_t bone_rows = clip_bone_rows(view, clip);
         if (bone_rows == 0) return 0;
         if (posepack_read_u32(record + POSEPACK_CLIP_FIRST_TEXEL) != next_texel) return 0;
+        /* At most 2^28: a clip has no more bone-rows than bone_count times its row_count. */
         next_texel += (uint64_t)bone_rows * record[POSEPACK_CLIP_TEXELS_PER_BONE];
-        if (next_texel > POSEPACK_MAX_FILE_BYTES) return 0;
     }
     return 1;
 }
@@ -65,14 +65,15 @@ static uint64_t lines_of(uint64_t texels, uint32_t width) {
 /* One bone-row behind the last is texels too: whoever reads a row too far finds a pose. */
 static int geometry_is_valid(const posepack_view* view, uint64_t texels) {
     const posepack_header* h = &view->header;
+    const uint64_t raw_bytes = view->sections[view->pixl_section].raw_bytes;
     const uint32_t last_texels = posepack_clip_record(view, h->clip_count - 1)[POSEPACK_CLIP_TEXELS_PER_BONE];
     uint32_t width = POSEPACK_RUNS_MIN_WIDTH;
     while (lines_of(texels + last_texels, width) > POSEPACK_RUNS_MAX_HEIGHT) width *= 2;
     return h->rows_per_line == 1 && h->texture_width_texels == width &&
            h->texture_height_texels == lines_of(texels + last_texels, width) &&
            h->row_pitch_bytes == width * posepack_texel_bytes(h->texel_format) &&
-           view->sections[view->pixl_section].raw_bytes ==
-               (uint64_t)h->row_pitch_bytes * h->texture_height_texels;
+           raw_bytes == (uint64_t)h->row_pitch_bytes * h->texture_height_texels &&
+           raw_bytes <= POSEPACK_MAX_FILE_BYTES;
 }
 
 /* Behind the last bone-row it is repeated, up to the end of the texture. */

@@ -55,31 +55,71 @@ static void clear(float* matrix) {
     for (i = 0; i < 12; ++i) matrix[i] = 0.0f;
 }
 
-static void sample_run(const posepack_view* view, const uint8_t* record, const posepack_run* run, float phase,
-                       float* matrix) {
+/* Cuts rise within a clip. */
+static int is_cut(const posepack_view* view, const uint8_t* record, uint32_t clip, uint32_t row) {
+    uint32_t first = 0, last = posepack_read_u32(record + POSEPACK_CLIP_CUT_COUNT);
+    while (first < last) {
+        const uint32_t middle = first + (last - first) / 2;
+        uint32_t cut = 0;
+        if (posepack_get_cut(view, clip, middle, &cut) != POSEPACK_OK || cut > row) {
+            last = middle;
+        } else if (cut == row) {
+            return 1;
+        } else {
+            first = middle + 1;
+        }
+    }
+    return 0;
+}
+
+/* Two rows of a run, and how far the pose is from the first to the second. */
+typedef struct sample_place {
+    uint32_t row, next;
+    float factor;
+} sample_place;
+
+static sample_place place_of(const posepack_view* view, const uint8_t* record, uint32_t clip,
+                             const posepack_run* run, float phase) {
     const uint32_t intervals = run->interval_count;
     const float position = phase * (float)intervals;
-    uint32_t row = position >= (float)intervals ? (intervals > 0 ? intervals - 1 : 0) : (uint32_t)position;
-    float factor = position - (float)row;
-    uint32_t next = row + 1;
-    posepack_bone_form form;
-    const uint8_t *a, *b;
-    form.encoding = record[POSEPACK_CLIP_ENCODING];
-    form.texels_per_bone = posepack_encoding_texels(form.encoding);
-    form.texel_bytes = posepack_texel_bytes(view->header.texel_format);
-    form.k_step_bytes = run->k_step * form.texel_bytes;
-    form.dualquat_length = view->header.dualquat_length;
-    if (next == intervals && run->wraps) next = 0;
-    if (record[POSEPACK_CLIP_INTERPOLATION] == POSEPACK_INTERPOLATION_STEP) {
-        if (factor >= 1.0f) row = next;
-        factor = 0.0f;
+    sample_place place;
+    place.row = position >= (float)intervals ? (intervals > 0 ? intervals - 1 : 0) : (uint32_t)position;
+    place.factor = position - (float)place.row;
+    place.next = run->wraps && place.row + 1 == intervals ? 0 : place.row + 1;
+    if (record[POSEPACK_CLIP_INTERPOLATION] == POSEPACK_INTERPOLATION_STEP ||
+        is_cut(view, record, clip, place.row)) {
+        /* A row is held until the next begins. */
+        if (place.factor >= 1.0f) place.row = place.next;
+        place.factor = 0.0f;
     }
-    a = texel_at(view, run->texel + (uint64_t)row * run->texel_step, &form);
-    b = factor > 0.0f ? texel_at(view, run->texel + (uint64_t)next * run->texel_step, &form) : a;
-    if (a == NULL || b == NULL || form.texels_per_bone == 0) {
+    return place;
+}
+
+/* 0 where the encoding that the clip states now is none that posepack_open lets through. */
+static int form_of(const posepack_view* view, const uint8_t* record, const posepack_run* run,
+                   posepack_bone_form* form) {
+    form->encoding = record[POSEPACK_CLIP_ENCODING];
+    form->texels_per_bone = posepack_encoding_texels(form->encoding);
+    form->texel_bytes = posepack_texel_bytes(view->header.texel_format);
+    form->k_step_bytes = run->k_step * form->texel_bytes;
+    form->dualquat_length = view->header.dualquat_length;
+    return form->encoding >= POSEPACK_ENCODING_MAT4 && form->encoding <= POSEPACK_ENCODING_DUALQUAT;
+}
+
+static void sample_run(const posepack_view* view, uint32_t clip, const posepack_run* run, float phase,
+                       float* matrix) {
+    const uint8_t* record = posepack_clip_record(view, clip);
+    const sample_place place = place_of(view, record, clip, run, phase);
+    posepack_bone_form form;
+    const uint8_t *a = NULL, *b = NULL;
+    if (form_of(view, record, run, &form)) {
+        a = texel_at(view, run->texel + (uint64_t)place.row * run->texel_step, &form);
+        b = texel_at(view, run->texel + (uint64_t)place.next * run->texel_step, &form);
+    }
+    if (a == NULL || (b == NULL && place.factor > 0.0f)) {
         clear(matrix);
-    } else if (factor > 0.0f) {
-        posepack_blend_texels(&form, a, b, factor, matrix);
+    } else if (place.factor > 0.0f) {
+        posepack_blend_texels(&form, a, b, place.factor, matrix);
     } else {
         posepack_decode_texels(&form, a, matrix);
     }
@@ -107,7 +147,7 @@ posepack_result posepack_sample_bone(const posepack_view* view, uint32_t clip_in
     const posepack_result result =
         matrix == NULL ? POSEPACK_ERROR_ARG : posepack_get_run(view, clip_index, bone, &run);
     if (result != POSEPACK_OK) return result;
-    sample_run(view, posepack_clip_record(view, clip_index), &run, clamped(phase), matrix);
+    sample_run(view, clip_index, &run, clamped(phase), matrix);
     return POSEPACK_OK;
 }
 
@@ -120,7 +160,7 @@ posepack_result posepack_sample_pose(const posepack_view* view, uint32_t clip_in
     record = posepack_clip_record(view, clip_index);
     for (bone = 0; bone < view->header.bone_count; ++bone) {
         const posepack_run run = run_of(view, record, clip_index, bone);
-        sample_run(view, record, &run, clamped(phase), matrices + 12 * (size_t)bone);
+        sample_run(view, clip_index, &run, clamped(phase), matrices + 12 * (size_t)bone);
     }
     return POSEPACK_OK;
 }

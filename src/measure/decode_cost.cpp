@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <vector>
 
 #include "posepack/loader.h"
@@ -44,9 +45,9 @@ double decode_cost_ns(std::span<const std::uint8_t> container, const motion::Ski
         const auto start = std::chrono::steady_clock::now();
         for (std::uint32_t pose = 0; pose < kPoses; ++pose) {
             // Far apart, so that every pose decodes two rows of its own.
-            const std::uint32_t row =
-                static_cast<std::uint32_t>(std::uint64_t{pose} * 7919 % view.header.row_count);
-            posepack_blend_row(&view, row, (row + 1) % view.header.row_count, 0.5f, matrices.data());
+            const float phase = static_cast<float>(pose) * 0.618034f;
+            posepack_sample_pose(&view, pose % view.header.clip_count, phase - std::floor(phase),
+                                 matrices.data());
             skin_floats(points, matrices, posed);
         }
         const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <set>
 
 #include "measure/bindings.hpp"
 #include "measure/skin_difference.hpp"
@@ -103,7 +104,7 @@ class ClipMeter {
     // Errors: E-LIM-WORK, before the work is done.
     base::Result<ClipError> measure(const palette::PaletteClip& clip, Tally& tally) {
         motion::ClipSampler sampler(animal_, animal_.clips[clip.source]);
-        const std::vector<double> times_s = test_times_s(clip.plan, sampler.key_times_s());
+        const std::vector<double> times_s = test_times_s(clip, sampler.key_times_s());
         if (auto status = take_samples(times_s.size(), animal_.clips[clip.source].name); !status)
             return status.issue();
         Worst worst_point, worst_normal;
@@ -153,15 +154,27 @@ class ClipMeter {
         return {};
     }
 
+    // What the loader makes of a time, in blended_.
+    void read_pose(const palette::PaletteClip& clip, double time_s) {
+        posepack_result result = POSEPACK_OK;
+        if (clip.runs.is_empty()) {
+            const motion::RowBlend blend = clip.rows_at(time_s);
+            result = posepack_blend_row(&view_, clip.first_row + blend.row0, clip.first_row + blend.row1,
+                                        static_cast<float>(blend.factor), blended_.data());
+        } else {
+            const double phase = clip.plan.period_s > 0.0 ? time_s / clip.plan.period_s : 0.0;
+            const auto index = static_cast<std::uint32_t>(&clip - palette_.clips.data());
+            result = posepack_sample_pose(&view_, index, static_cast<float>(phase), blended_.data());
+        }
+        assert(result == POSEPACK_OK);
+        static_cast<void>(result);
+    }
+
     // Exact matrices, and their difference to what is read, at one time.
     void fill_lane(motion::ClipSampler& sampler, const palette::PaletteClip& clip, double time_s,
                    std::size_t lane) {
         sampler.sample(time_s, bones_);
-        const motion::RowBlend blend = clip.rows_at(time_s);
-        [[maybe_unused]] const posepack_result result =
-            posepack_blend_row(&view_, clip.first_row + blend.row0, clip.first_row + blend.row1,
-                               static_cast<float>(blend.factor), blended_.data());
-        assert(result == POSEPACK_OK);
+        read_pose(clip, time_s);
         for (std::uint32_t b = 0; b < bindings_.size(); ++b) {
             const Affine source = bindings_.source(b, bones_, sampler);
             const Affine found =
@@ -243,9 +256,16 @@ class ClipMeter {
 
 }  // namespace
 
-std::vector<double> test_times_s(const motion::RowPlan& plan, std::span<const double> key_times_s) {
+std::vector<double> test_times_s(const palette::PaletteClip& clip, std::span<const double> key_times_s) {
+    const motion::RowPlan& plan = clip.plan;
     std::vector<double> marks(key_times_s.begin(), key_times_s.end());
-    for (std::uint32_t row = 0; row < plan.row_count; ++row)
+    std::set<std::uint32_t> interval_counts;
+    for (const std::uint32_t run : clip.runs.entries) interval_counts.insert(run >> POSEPACK_RUN_OFFSET_BITS);
+    for (const std::uint32_t count : interval_counts)
+        for (std::uint32_t row = 0; row < count; ++row)
+            if (const double time_s = plan.period_s * row / count; time_s <= plan.duration_s)
+                marks.push_back(time_s);
+    for (std::uint32_t row = 0; row < plan.row_count && clip.runs.is_empty(); ++row)
         if (plan.row_time_s(row) <= plan.duration_s) marks.push_back(plan.row_time_s(row));
     marks.push_back(plan.duration_s);
     std::sort(marks.begin(), marks.end());

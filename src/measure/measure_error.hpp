@@ -39,7 +39,8 @@ base::Result<ErrorStats> measure_error(const animal::Animal& animal, const palet
                                        std::span<const std::uint8_t> container, const motion::SkinSet& points,
                                        const motion::SkinSet& normals);
 
-// The times at which a clip is measured, seconds from its first key, rising: rows, keys and midpoints.
-std::vector<double> test_times_s(const motion::RowPlan& plan, std::span<const double> key_times_s);
+// The times at which a clip is measured, seconds from its first key, rising: rows (under runs those of every
+// bone), keys and midpoints.
+std::vector<double> test_times_s(const palette::PaletteClip& clip, std::span<const double> key_times_s);
 
 }  // namespace posepack::measure

@@ -26,14 +26,15 @@ void decide_wrap(RowPlan& plan, const RowWish& wish, const SeamMeasure& seam, do
                  const std::string& clip_name) {
     const double steps = seam.step > 0.0 ? seam.gap / seam.step : 0.0;
     plan.seam_gap = radius > 0.0 ? seam.gap / radius : 0.0;
-    const bool meets = plan.seam_gap < kClosedGap;
+    const bool meets = plan.seam_gap < std::min(kClosedGap, wish.largest_gap.value_or(kClosedGap));
+    const double closed_steps = wish.largest_gap ? 0.0 : kClosedSteps;
     Wrap wrap = wish.wrap;
     if (wrap == Wrap::automatic) wrap = meets || steps <= kOpenSteps ? Wrap::loop : Wrap::once;
     plan.wrap = wrap;
     plan.seam = Seam::closed;
     if (wrap != Wrap::loop) return;
     plan.seam = wish.seam;
-    if (plan.seam == Seam::automatic) plan.seam = meets || steps < kClosedSteps ? Seam::closed : Seam::open;
+    if (plan.seam == Seam::automatic) plan.seam = meets || steps < closed_steps ? Seam::closed : Seam::open;
     if (plan.seam == Seam::closed && !meets)
         plan.remarks.push_back(
             {IssueCode::warn_seam, clip_name,

@@ -41,6 +41,9 @@ struct RowWish {
     std::optional<double> rate_hz;  // nothing: the clip's own key grid
     recipe::Wrap wrap = recipe::Wrap::automatic;
     recipe::Seam seam = recipe::Seam::automatic;
+    // Fraction of R: ends further apart than this are not taken for closed, however small a part of a key
+    // step that is. Nothing: they may be, with a remark.
+    std::optional<double> largest_gap;
 };
 
 // Chooses rows, wrap and seam of a clip. A loop whose ends meet (gap below 1e-3 R) is closed; one whose gap

@@ -224,6 +224,8 @@ std::uint32_t joints_without_bone(const posepack_view& view) {
 
 std::string encoding_name(std::uint32_t encoding) {
     switch (encoding) {
+        case POSEPACK_MIXED:
+            return "mixed";
         case POSEPACK_ENCODING_MAT4:
             return "mat4";
         case POSEPACK_ENCODING_AFFINE:

@@ -65,6 +65,10 @@ base::Result<std::vector<std::uint8_t>> export_exr(const posepack_view& view) {
     if (posepack_get_texels(&view, &texels) != POSEPACK_OK)
         return base::Issue{base::IssueCode::pack_invalid, "",
                            "expected texels, found a container that gives none"};
+    if (view.header.row_scheme != POSEPACK_ROWS_UNIFORM)
+        return base::Issue{base::IssueCode::usage, "",
+                           "expected a container of uniform rows, one line a pose, found runs: bake it with "
+                           "--encoding instead of a bound"};
     const bool half = texels.format == POSEPACK_TEXEL_RGBA16F;
     const Imf::PixelType type = half ? Imf::HALF : Imf::FLOAT;
     const std::size_t channel_bytes = half ? 2 : 4;

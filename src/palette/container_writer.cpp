@@ -10,6 +10,7 @@
 
 #include "format/bytes.h"
 #include "format/crc32c.h"
+#include "format/texels.h"
 #include "palette/byte_writer.hpp"
 #include "posepack/format.h"
 
@@ -112,26 +113,40 @@ void write_bounds(ByteWriter& out, const Box& box) {
     out.f32(std::nextafter(static_cast<float>(std::sqrt(square)), HUGE_VALF));
 }
 
+// What the row scheme says of a clip.
+struct ClipRows {
+    std::uint8_t encoding, row_scheme;
+    std::uint32_t row_count;
+    double rate_hz;
+};
+
+ClipRows rows_of(const Palette& palette, const PaletteClip& clip) {
+    if (clip.runs.is_empty())
+        return {palette.layout.encoding, POSEPACK_ROWS_UNIFORM, clip.plan.row_count, clip.plan.rate_hz};
+    return {clip.runs.encoding, POSEPACK_ROWS_RUNS, clip.stored_rows(), clip.runs_rate_hz()};
+}
+
 void write_clip(ByteWriter& out, const Animal& animal, const Palette& palette, const PaletteClip& clip,
-                const StringTable& strings) {
+                std::uint32_t first_texel, const StringTable& strings) {
     const motion::RowPlan& plan = clip.plan;
+    const ClipRows rows = rows_of(palette, clip);
     const std::size_t begin = out.size();
     out.u32(strings.at(animal.clips[clip.source].name));
     out.u32(strings.at(animal.clips[clip.source].source_name));
-    out.u8(palette.layout.encoding);
-    out.u8(palette.layout.texels_per_bone);
-    out.u8(POSEPACK_ROWS_UNIFORM);
+    out.u8(rows.encoding);
+    out.u8(posepack_encoding_texels(rows.encoding));
+    out.u8(rows.row_scheme);
     out.u8(wrap_value(plan.wrap));
     out.u8(plan.seam == recipe::Seam::open ? POSEPACK_SEAM_OPEN : POSEPACK_SEAM_CLOSED);
     out.u8(clip.closing_row ? 1 : 0);
     out.u8(plan.step ? POSEPACK_INTERPOLATION_STEP : POSEPACK_INTERPOLATION_LINEAR);
     out.u8(0);  // not measured yet
     out.u32(clip.first_row);
-    out.u32(plan.row_count);
-    out.u32(clip.first_row * palette.layout.bone_count * palette.layout.texels_per_bone);
+    out.u32(rows.row_count);
+    out.u32(first_texel);
     out.u32(0);  // first cut
     out.u32(0);  // cut count
-    out.f32(static_cast<float>(plan.rate_hz));
+    out.f32(static_cast<float>(rows.rate_hz));
     out.f32(plan.row_count == 1 ? 0.0f : static_cast<float>(plan.period_s));
     out.f32(static_cast<float>(animal.clips[clip.source].start_s));
     out.f32(static_cast<float>(clip.speed_mps));
@@ -152,8 +167,35 @@ std::vector<std::uint8_t> clip_section(const Animal& animal, const Palette& pale
     out.u32(POSEPACK_CLIP_RECORD_BYTES);
     out.u32(0);
     out.u32(0);
-    for (const PaletteClip& clip : palette.clips) write_clip(out, animal, palette, clip, strings);
+    std::size_t run_texels = 0;
+    for (const PaletteClip& clip : palette.clips) {
+        const std::size_t first_texel =
+            clip.runs.is_empty()
+                ? std::size_t{clip.first_row} * palette.layout.bone_count * palette.layout.texels_per_bone
+                : run_texels;
+        write_clip(out, animal, palette, clip, static_cast<std::uint32_t>(first_texel), strings);
+        run_texels += clip.runs.texels.size() / palette.layout.texel_bytes;
+    }
     return out.take();
+}
+
+std::vector<std::uint8_t> runs_section(const Palette& palette) {
+    ByteWriter out;
+    for (const PaletteClip& clip : palette.clips)
+        for (const std::uint32_t entry : clip.runs.entries) out.u32(entry);
+    return out.take();
+}
+
+// Texels of all runs, then their last bone-row again up to the end of the texture.
+std::vector<std::uint8_t> run_pixels(const Palette& palette) {
+    std::vector<std::uint8_t> pixels;
+    pixels.reserve(static_cast<std::size_t>(palette.layout.pixel_bytes()));
+    for (const PaletteClip& clip : palette.clips)
+        pixels.insert(pixels.end(), clip.runs.texels.begin(), clip.runs.texels.end());
+    const std::size_t row_bytes = std::size_t{posepack_encoding_texels(palette.clips.back().runs.encoding)} *
+                                  palette.layout.texel_bytes;
+    while (pixels.size() < palette.layout.pixel_bytes()) pixels.push_back(pixels[pixels.size() - row_bytes]);
+    return pixels;
 }
 
 std::vector<std::uint8_t> state_section(const Palette& palette, const StringTable& strings) {
@@ -244,7 +286,7 @@ void write_header(ByteWriter& out, const Palette& palette, std::uint32_t section
     out.u8(layout.texel_format);
     out.u8(layout.texels_per_bone);
     out.u8(layout.texel_order);
-    out.u8(POSEPACK_ROWS_UNIFORM);
+    out.u8(palette.has_runs() ? POSEPACK_ROWS_RUNS : POSEPACK_ROWS_UNIFORM);
     out.u8(palette.spaces.normalised ? POSEPACK_SPACE_NORMALISED : 0);
     out.u16(0);
     out.u32(layout.texture_width);
@@ -279,13 +321,17 @@ std::vector<std::uint8_t> write_container(const Animal& animal, const Palette& p
     const auto space = space_section(animal, palette, strings);
     const auto texts = strings.section();
     const std::span recipe(reinterpret_cast<const std::uint8_t*>(provenance.data()), provenance.size());
-    const Section sections[] = {{POSEPACK_SECTION_CLIP, POSEPACK_TABLE_ALIGN_LOG2, clips},
-                                {POSEPACK_SECTION_STAT, POSEPACK_TABLE_ALIGN_LOG2, states},
-                                {POSEPACK_SECTION_BONE, POSEPACK_TABLE_ALIGN_LOG2, bones},
-                                {POSEPACK_SECTION_SPAC, POSEPACK_TABLE_ALIGN_LOG2, space},
-                                {POSEPACK_SECTION_STRS, POSEPACK_TABLE_ALIGN_LOG2, texts},
-                                {POSEPACK_SECTION_PIXL, POSEPACK_PIXL_ALIGN_LOG2, palette.pixels},
-                                {POSEPACK_SECTION_PROV, POSEPACK_TABLE_ALIGN_LOG2, recipe}};
+    const auto runs = runs_section(palette);
+    const auto pixels = palette.has_runs() ? run_pixels(palette) : std::vector<std::uint8_t>{};
+    const std::span<const std::uint8_t> texels = palette.has_runs() ? pixels : palette.pixels;
+    std::vector<Section> sections = {{POSEPACK_SECTION_CLIP, POSEPACK_TABLE_ALIGN_LOG2, clips},
+                                     {POSEPACK_SECTION_STAT, POSEPACK_TABLE_ALIGN_LOG2, states},
+                                     {POSEPACK_SECTION_BONE, POSEPACK_TABLE_ALIGN_LOG2, bones},
+                                     {POSEPACK_SECTION_SPAC, POSEPACK_TABLE_ALIGN_LOG2, space},
+                                     {POSEPACK_SECTION_STRS, POSEPACK_TABLE_ALIGN_LOG2, texts},
+                                     {POSEPACK_SECTION_PIXL, POSEPACK_PIXL_ALIGN_LOG2, texels}};
+    if (palette.has_runs()) sections.push_back({POSEPACK_SECTION_RUNS, POSEPACK_TABLE_ALIGN_LOG2, runs});
+    sections.push_back({POSEPACK_SECTION_PROV, POSEPACK_TABLE_ALIGN_LOG2, recipe});
     ByteWriter out;
     write_header(out, palette, static_cast<std::uint32_t>(std::size(sections)), base::sha256(recipe));
     std::size_t offset = POSEPACK_HEADER_BYTES + std::size(sections) * POSEPACK_ENTRY_BYTES;

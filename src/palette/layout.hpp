@@ -21,10 +21,12 @@ struct Layout {
     std::uint32_t texture_width = 0;   // texels
     std::uint32_t texture_height = 0;  // lines
     std::uint32_t row_pitch_bytes = 0;
+    std::uint64_t run_texels = 0;  // texels of all runs; 0: rows are uniform
 
     std::uint64_t pixel_bytes() const { return std::uint64_t{row_pitch_bytes} * texture_height; }
     // Bytes of the texels that hold rows: no padding, no unused places of the last line.
     std::uint64_t texel_payload_bytes() const {
+        if (run_texels > 0) return run_texels * texel_bytes;
         return std::uint64_t{texel_bytes} * texels_per_bone * bone_count * row_count;
     }
 };

@@ -11,6 +11,7 @@
 #include "motion/row_plan.hpp"
 #include "palette/bounds.hpp"
 #include "palette/layout.hpp"
+#include "palette/runs.hpp"
 #include "palette/spaces.hpp"
 #include "recipe/catalog.hpp"
 
@@ -24,6 +25,7 @@ struct PaletteClip {
     double speed_mps = 0.0;
     double stride_phase = 0.0;
     Box bounds;
+    ClipRuns runs;  // empty under uniform rows
 
     // The stored rows, counted from the clip's first, that show clip time `time_s`: the plan's, but that a
     // closing row stands for row 0 at the end.
@@ -33,7 +35,11 @@ struct PaletteClip {
         if (closing_row && wraps) blend.row1 = plan.row_count;
         return blend;
     }
-    std::uint32_t stored_rows() const { return plan.row_count + (closing_row ? 1 : 0); }
+    // Rows a second of the longest run; 0 where all bones are still.
+    double runs_rate_hz() const { return runs.longest > 0 ? runs.longest / plan.period_s : 0.0; }
+    std::uint32_t stored_rows() const {
+        return runs.is_empty() ? plan.row_count + (closing_row ? 1 : 0) : runs.longest + 1;
+    }
 };
 
 struct PaletteState {
@@ -53,6 +59,7 @@ struct Palette {
     float dualquat_length = 0.0f;  // L in units of palette space; zero under other encodings
     std::vector<std::uint8_t> pixels;
 
+    bool has_runs() const { return layout.run_texels > 0; }
     // R in units of palette space.
     double reach() const { return spaces.normalised ? 1.0 : radius; }
 };

@@ -79,13 +79,58 @@ void read_influences(const Value& object, std::uint32_t* influences) {
         value->fail(IssueCode::cat_value, fmt::format("expected 4 or 8, found {}", number));
 }
 
+std::optional<ErrorLimit> read_limit(const Value& object, std::string_view key) {
+    const std::optional<Value> value = object.find(key);
+    if (!value) return std::nullopt;
+    if (!value->is_text()) return ErrorLimit{value->number(1e-9, 1.0)};
+    const auto limit = parse_error_limit(value->text());
+    if (!limit)
+        value->fail(
+            IssueCode::cat_value,
+            fmt::format("expected a fraction of the radius, \"5mm\" or \"1px@20m,1080,60\", found '{}'",
+                        base::printable(value->text())));
+    return limit;
+}
+
+// "max_error", with "p999_error" and "rms_error" beside it.
+void read_bound(const Value& object, std::optional<ErrorBound>* bound) {
+    if (const std::optional<Value> value = object.find("max_error")) {
+        if (!value->is_text()) {
+            const ErrorLimit max{value->number(1e-9, 1.0)};
+            *bound = ErrorBound{max, ErrorLimit{0.25 * max.value}, {}};
+        } else if (const auto parsed = parse_error_bound(value->text())) {
+            *bound = parsed;
+        } else {
+            value->fail(IssueCode::cat_value, fmt::format("expected one of {}, found '{}'", kErrorLimitForms,
+                                                          base::printable(value->text())));
+        }
+    }
+    for (const auto& [key, field] :
+         {std::pair{"p999_error", &ErrorBound::p999}, {"rms_error", &ErrorBound::rms}}) {
+        const std::optional<ErrorLimit> limit = read_limit(object, key);
+        if (!limit) continue;
+        if (*bound)
+            (**bound).*field = limit;
+        else
+            object.fail(IssueCode::cat_value,
+                        fmt::format("expected \"max_error\" beside \"{}\", found none", key));
+    }
+}
+
 // Overlays `options` with what the object's "output" says.
 void read_output(const Value& object, OutputOptions* options) {
     const std::optional<Value> output = object.find("output");
     if (!output) return;
-    output->expect_object({"caps", "encoding", "influences", "row_pitch", "space", "texel_format",
-                           "texel_order", "unused_bones"});
+    output->expect_object({"caps", "encoding", "influences", "max_error", "p999_error", "rms_error", "row_pitch",
+                           "space", "texel_format", "texel_order", "unused_bones"});
+    if (output->find("encoding")) options->bound.reset();
     read_choice(*output, "encoding", &options->encoding);
+    read_bound(*output, &options->bound);
+    for (const std::string_view key : {"encoding", "row_pitch", "texel_order"})
+        if (output->find("max_error") && output->find(key))
+            output->fail(
+                IssueCode::cat_value,
+                fmt::format("expected \"max_error\", which chooses the form, or \"{}\", found both", key));
     read_choice(*output, "texel_format", &options->texel_format);
     read_choice(*output, "texel_order", &options->texel_order);
     read_choice(*output, "row_pitch", &options->row_pitch);
@@ -104,6 +149,8 @@ void apply(const OutputOverrides& overrides, OutputOptions* options) {
     options->space = overrides.space.value_or(options->space);
     options->influences = overrides.influences.value_or(options->influences);
     options->unused_bones = overrides.unused_bones.value_or(options->unused_bones);
+    if (overrides.encoding) options->bound.reset();
+    if (overrides.bound) options->bound = overrides.bound;
 }
 
 void read_units(const Value& object, double* metres_per_unit, ForwardAxis* forward) {
@@ -146,7 +193,9 @@ ClipWish read_clip(const Value& clip, const Rate& inherited) {
         wish.name = clip.name();
         return wish;
     }
-    clip.expect_object({"name", "rate_hz", "seam", "speed_mps", "states", "stride_phase", "wrap"});
+    clip.expect_object({"max_error", "name", "p999_error", "rate_hz", "rms_error", "seam", "speed_mps",
+                        "states", "stride_phase", "wrap"});
+    read_bound(clip, &wish.bound);
     wish.name = clip.need("name").name();
     if (const std::optional<Value> states = clip.find("states")) {
         for (const Value& state : states->elements()) wish.states.push_back(state.name());
@@ -180,17 +229,22 @@ Json rate_json(const std::optional<double>& rate_hz) {
     return rate_hz ? Json(*rate_hz) : Json("keys");
 }
 
+Json bound_of(const std::optional<ErrorBound>& bound) {
+    return bound ? Json::parse(bound_json(*bound)) : Json();
+}
+
 Json clip_json(const ClipWish& wish) {
-    return {{"name", wish.name},          {"rate_hz", rate_json(wish.rate_hz)},
-            {"seam", name_of(wish.seam)}, {"speed_mps", wish.speed_mps},
-            {"states", wish.states},      {"stride_phase", wish.stride_phase},
-            {"wrap", name_of(wish.wrap)}};
+    return {{"bound", bound_of(wish.bound)},      {"name", wish.name},
+            {"rate_hz", rate_json(wish.rate_hz)}, {"seam", name_of(wish.seam)},
+            {"speed_mps", wish.speed_mps},        {"states", wish.states},
+            {"stride_phase", wish.stride_phase},  {"wrap", name_of(wish.wrap)}};
 }
 
 std::string canonical(const AnimalEntry& animal) {
     Json clips = Json::array();
     for (const ClipWish& wish : animal.clips) clips.push_back(clip_json(wish));
-    const Json output{{"caps", name_of(animal.output.caps)},
+    const Json output{{"bound", bound_of(animal.output.bound)},
+                      {"caps", name_of(animal.output.caps)},
                       {"encoding", name_of(animal.output.encoding)},
                       {"influences", animal.output.influences},
                       {"row_pitch", name_of(animal.output.row_pitch)},
@@ -239,6 +293,7 @@ AnimalEntry read_animal(const std::string& id, const Value& value, const Default
     read_output(value, &animal.output);
     apply(command_line.output, &animal.output);
     settle_rates(command_line.rate_hz, rate, &animal);
+    if (command_line.rate_hz && !command_line.output.bound) animal.output.bound.reset();
     animal.canonical_json = canonical(animal);
     return animal;
 }

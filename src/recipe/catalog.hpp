@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/result.hpp"
+#include "recipe/bound.hpp"
 
 namespace posepack::recipe {
 
@@ -41,9 +42,11 @@ struct OutputOptions {
     Space space = Space::automatic;
     std::uint32_t influences = 4;  // that a vertex keeps: 4 or 8
     UnusedBones unused_bones = UnusedBones::keep;
+    std::optional<ErrorBound> bound;  // form and rows are chosen by it; `encoding` then says nothing
 
     bool is_normalised() const {
-        return space == Space::normalised || (space == Space::automatic && encoding != Encoding::mat4);
+        return space == Space::normalised ||
+               (space == Space::automatic && (bound || encoding != Encoding::mat4));
     }
 };
 
@@ -57,6 +60,7 @@ struct OutputOverrides {
     std::optional<Space> space;
     std::optional<std::uint32_t> influences;
     std::optional<UnusedBones> unused_bones;
+    std::optional<ErrorBound> bound;
 };
 
 // One wish for clips of an animal: a name, or a pattern with * and ?.
@@ -66,8 +70,9 @@ struct ClipWish {
     std::optional<double> rate_hz;    // settled; nothing: the clip's own key grid
     Wrap wrap = Wrap::automatic;
     Seam seam = Seam::automatic;
-    double speed_mps = 0.0;     // ground speed at rate 1; 0: not stated
-    double stride_phase = 0.0;  // phase of the first foot contact, 0..1
+    double speed_mps = 0.0;           // ground speed at rate 1; 0: not stated
+    double stride_phase = 0.0;        // phase of the first foot contact, 0..1
+    std::optional<ErrorBound> bound;  // of this clip alone; needs a bound of the animal
 };
 
 // State name -> keywords, in order of preference: the first clip whose name holds the keyword plays it.

@@ -44,6 +44,14 @@ struct ReductionRecord {
     std::uint32_t vertex = 0;    //   and vertex within that mesh
 };
 
+// One try to find the smallest rows within a bound: what it would have stored, and its measured error.
+struct TryRecord {
+    std::string encoding;
+    std::uint64_t bytes = 0;  // of bone-rows and the table of runs
+    float max = 0, p999 = 0, rms = 0;
+    bool keeps_bound = false;
+};
+
 struct ClipRecord {
     std::string name, source_name;
     std::uint32_t first_row = 0, row_count = 0;
@@ -53,6 +61,9 @@ struct ClipRecord {
     std::string interpolation;  // "linear", "step"
     float seam_gap = 0;         // fraction of R
     float speed_mps = 0;
+    std::string encoding;
+    std::vector<TryRecord>
+        tried;  // in their order, where a bound chose: the smallest that keeps it was taken
     ErrorRecord error;
 };
 
@@ -75,7 +86,9 @@ struct BakeRecord {
     std::uint64_t model_bytes = 0;
     std::string model_sha256;
     std::string recipe_sha256;
-    std::string encoding, texel_format, texel_order;
+    std::string encoding;    // "mixed" where clips differ
+    std::string row_scheme;  // "uniform", "runs"
+    std::string texel_format, texel_order;
     std::uint32_t bone_count = 0, row_count = 0, vertex_count = 0;
     std::uint32_t texture_width = 0, texture_height = 0;
     std::uint64_t texel_bytes = 0;

@@ -96,9 +96,31 @@ ReductionRecord read_reduction(const Value& reduction) {
     return record;
 }
 
+void check_flag(const Value& options, std::string_view key) {
+    const std::optional<Value> flag = options.find(key);
+    if (flag && !flag->json().is_boolean())
+        flag->fail(IssueCode::man_json,
+                   fmt::format("expected true or false, found {}", flag->json().type_name()));
+}
+
+TryRecord read_try(const Value& value) {
+    value.expect_object({"bytes", "encoding", "keeps_bound", "max", "p999", "rms"});
+    TryRecord one;
+    one.encoding = choice<Encoding>(value, "encoding");
+    one.bytes = whole_u64(value, "bytes");
+    one.max = number(value, "max");
+    one.p999 = number(value, "p999");
+    one.rms = number(value, "rms");
+    check_flag(value, "keeps_bound");
+    const Value keeps = value.need("keeps_bound");
+    one.keeps_bound = keeps.json().is_boolean() && keeps.json().get<bool>();
+    return one;
+}
+
 ClipRecord read_clip(const Value& clip) {
-    clip.expect_object({"error", "first_row", "interpolation", "name", "period_s", "rate_hz", "row_count",
-                        "seam", "seam_gap", "source_name", "speed_mps", "start_s", "wrap"});
+    clip.expect_object({"encoding", "error", "first_row", "interpolation", "name", "period_s", "rate_hz",
+                        "row_count", "seam", "seam_gap", "source_name", "speed_mps", "start_s", "tried",
+                        "wrap"});
     ClipRecord record;
     record.name = text(clip, "name");
     record.source_name = text(clip, "source_name");
@@ -112,6 +134,8 @@ ClipRecord read_clip(const Value& clip) {
     record.interpolation = clip.need("interpolation").one_of({"linear", "step"});
     record.seam_gap = number(clip, "seam_gap");
     record.speed_mps = number(clip, "speed_mps");
+    record.encoding = choice<Encoding>(clip, "encoding");
+    for (const Value& one : clip.need("tried").elements()) record.tried.push_back(read_try(one));
     record.error = read_error(clip.need("error"), false);
     return record;
 }
@@ -161,7 +185,8 @@ void read_files(const Value& value, BakeRecord* record) {
 }
 
 void read_palette(const Value& value, BakeRecord* record) {
-    record->encoding = choice<Encoding>(value, "encoding");
+    record->encoding = value.need("encoding").one_of({"affine", "dualquat", "mat4", "mixed"});
+    record->row_scheme = value.need("row_scheme").one_of({"runs", "uniform"});
     record->texel_format = choice<TexelFormat>(value, "texel_format");
     record->texel_order = choice<TexelOrder>(value, "texel_order");
     record->bone_count = whole_u32(value, "bone_count");
@@ -191,6 +216,7 @@ BakeRecord read_record(const Value& value) {
                          "reduction",
                          "remarks",
                          "row_count",
+                         "row_scheme",
                          "states",
                          "texel_bytes",
                          "texel_format",
@@ -214,23 +240,29 @@ BakeRecord read_record(const Value& value) {
     return record;
 }
 
-void check_flag(const Value& options, std::string_view key) {
-    const std::optional<Value> flag = options.find(key);
-    if (flag && !flag->json().is_boolean())
-        flag->fail(IssueCode::man_json,
-                   fmt::format("expected true or false, found {}", flag->json().type_name()));
-}
-
 template <class Choice>
 void check_choice(const Value& options, std::string_view key) {
     if (const std::optional<Value> value = options.find(key)) static_cast<void>(value->choice<Choice>());
 }
 
+// Limits as fractions of R or in metres; null where there is none.
+void check_bound(const Value& bound) {
+    bound.expect_object({"max", "p999", "rms"});
+    for (const std::string_view key : {"max", "p999", "rms"}) {
+        const Value limit = bound.need(key);
+        if (limit.json().is_null()) continue;
+        limit.expect_object({"unit", "value"});
+        limit.need("unit").one_of({"R", "m"});
+        static_cast<void>(limit.need("value").number(0.0, std::numeric_limits<double>::max()));
+    }
+}
+
 // What the command line set: only what it set is there.
 void check_options(const Value& options) {
-    options.expect_object({"allow_data_uris", "caps", "compare_vat", "encoding", "influences", "measure",
+    options.expect_object({"allow_data_uris", "bound", "caps", "compare_vat", "encoding", "influences", "measure",
                            "only", "rate_hz", "row_pitch", "space", "strict", "texel_format", "texel_order",
                            "unused_bones"});
+    if (const std::optional<Value> bound = options.find("bound")) check_bound(*bound);
     check_choice<Caps>(options, "caps");
     check_choice<Encoding>(options, "encoding");
     check_choice<RowPitch>(options, "row_pitch");

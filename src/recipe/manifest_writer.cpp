@@ -44,8 +44,21 @@ Json reduction_json(const ReductionRecord& reduction) {
             {"vertex", reduction.vertex},       {"vertex_count", reduction.vertex_count}};
 }
 
+Json tried_json(const std::vector<TryRecord>& tried) {
+    Json list = Json::array();
+    for (const TryRecord& one : tried)
+        list.push_back({{"bytes", one.bytes},
+                        {"encoding", one.encoding},
+                        {"keeps_bound", one.keeps_bound},
+                        {"max", number(one.max)},
+                        {"p999", number(one.p999)},
+                        {"rms", number(one.rms)}});
+    return list;
+}
+
 Json clip_json(const ClipRecord& clip) {
-    return {{"error", error_json(clip.error, false)},
+    return {{"encoding", clip.encoding},
+            {"error", error_json(clip.error, false)},
             {"first_row", clip.first_row},
             {"interpolation", clip.interpolation},
             {"name", clip.name},
@@ -57,6 +70,7 @@ Json clip_json(const ClipRecord& clip) {
             {"source_name", clip.source_name},
             {"speed_mps", number(clip.speed_mps)},
             {"start_s", number(clip.start_s)},
+            {"tried", tried_json(clip.tried)},
             {"wrap", clip.wrap}};
 }
 
@@ -93,6 +107,7 @@ Json record_json(const BakeRecord& record) {
             {"reduction", reduction_json(record.reduction)},
             {"remarks", record.remarks},
             {"row_count", record.row_count},
+            {"row_scheme", record.row_scheme},
             {"states", std::move(states)},
             {"texel_bytes", record.texel_bytes},
             {"texel_format", record.texel_format},

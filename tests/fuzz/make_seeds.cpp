@@ -8,6 +8,7 @@
 #include <string>
 
 #include "container_builder.hpp"
+#include "runs_builder.hpp"
 #include "support/sample_models.hpp"
 
 namespace {
@@ -63,6 +64,10 @@ void write_containers(const fs::path& folder) {
                 options.rows_per_line = 2;
                 write(folder / file_name(encoding, format, order), test::make_container(options));
             }
+    for (const std::uint8_t encoding :
+         {POSEPACK_ENCODING_MAT4, POSEPACK_ENCODING_AFFINE, POSEPACK_ENCODING_DUALQUAT})
+        write(folder / ("runs" + std::to_string(encoding) + ".posepack"),
+              test::make_run_container(test::tiny_runs(encoding, POSEPACK_ENCODING_DUALQUAT)));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Fuzz target: bytes to the loader. They are opened as they are, and once more with every checksum made
-// right, so that what lies behind the checksums is met too. Whatever opens is read completely.
+// and draft number made right, so that what lies behind them is met too, and files of older drafts stay of
+// use. Whatever opens is read completely.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -52,15 +53,30 @@ void read_tables(const posepack_view& view) {
     }
 }
 
+void read_poses(const posepack_view& view) {
+    std::vector<float> matrices(std::size_t{view.header.bone_count} * 12);
+    const bool uniform = view.header.row_scheme == POSEPACK_ROWS_UNIFORM;
+    for (std::uint32_t row = 0; row < view.header.row_count; ++row)
+        expect(posepack_decode_row(&view, row, matrices.data()) ==
+                   (uniform ? POSEPACK_OK : POSEPACK_ERROR_UNSUPPORTED),
+               "every row to decode, and none of runs");
+    posepack_run run;
+    for (std::uint32_t c = 0; c < view.header.clip_count; ++c) {
+        for (const float phase : {0.0f, 0.37f, 1.0f})
+            expect(posepack_sample_pose(&view, c, phase, matrices.data()) == POSEPACK_OK,
+                   "every clip to have poses");
+        for (std::uint32_t b = 0; b < view.header.bone_count; ++b)
+            expect(posepack_get_run(&view, c, b, &run) == POSEPACK_OK, "every bone to have a run");
+    }
+}
+
 void open_and_read(const std::vector<std::uint8_t>& bytes) {
     posepack_view view;
     const posepack_result opened = posepack_open(&view, bytes.data(), bytes.size());
     posepack::fuzz::note_outcome(posepack_result_name(opened));
     if (opened != POSEPACK_OK) return;
     read_tables(view);
-    std::vector<float> matrices(std::size_t{view.header.bone_count} * 12);
-    for (std::uint32_t row = 0; row < view.header.row_count; ++row)
-        expect(posepack_decode_row(&view, row, matrices.data()) == POSEPACK_OK, "every row to decode");
+    read_poses(view);
 }
 
 }  // namespace
@@ -70,6 +86,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::vector<std::uint8_t> bytes(data, data + size);
     open_and_read(bytes);
     if (size < POSEPACK_HEADER_BYTES) return 0;
+    posepack::test::put_u16(bytes, POSEPACK_HDR_MINOR, POSEPACK_FORMAT_MINOR);
     posepack::test::seal(bytes);
     open_and_read(bytes);
     return 0;

@@ -46,7 +46,7 @@ def main():
     parser.add_argument("tool")
     parser.add_argument("paths", nargs="+", type=pathlib.Path)
     options = parser.parse_args()
-    opened = refused = failed = matrices = rows = 0
+    opened = refused = failed = matrices = rows = samples = 0
     results = set()
     for path in containers(options.paths):
         lines, problem = compare(options.tool, path)
@@ -60,14 +60,15 @@ def main():
             bone_rows = [line for line in lines if line.startswith("row ")]
             matrices += len(bone_rows)
             rows += sum(" bone 0 " in line for line in bone_rows)
+            samples += sum(line.startswith("sample ") for line in lines)
         if problem is not None:
             failed += 1
             print(f"{path}: {problem}")
-    print(f"compared {opened + refused} files: {opened} opened with {rows} rows and {matrices} matrices, "
-          f"{refused} refused ({', '.join(sorted(results)) or 'none'}); {failed} differ")
-    if matrices == 0:
+    print(f"compared {opened + refused} files: {opened} opened with {rows} rows, {matrices} matrices of rows "
+          f"and {samples} of phases, {refused} refused ({', '.join(sorted(results)) or 'none'}); {failed} differ")
+    if samples == 0:
         print("nothing was compared")
-    return 1 if failed or matrices == 0 else 0
+    return 1 if failed or samples == 0 else 0
 
 
 if __name__ == "__main__":

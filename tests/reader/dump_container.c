@@ -204,6 +204,38 @@ static void print_rows(const posepack_view* view) {
     }
 }
 
+/* Bits of the phases at which poses are printed: those of posepack_reader/dump.py. */
+static const uint32_t kPhases[] = {0x7FC00000u, 0x3A83126Fu, 0x3DCCCCCDu, 0x3EAAAAABu, 0x3F000000u,
+                                   0x3F3851ECu, 0x3F7FFFFFu, 0x3F800000u, 0x40000000u};
+
+static void print_runs(const posepack_view* view, uint32_t clip) {
+    posepack_run run;
+    uint32_t bone;
+    for (bone = 0; posepack_get_run(view, clip, bone, &run) == POSEPACK_OK; ++bone) {
+        printf("run %" PRIu32 " bone %" PRIu32 " texel %" PRIu32 " texel_step %" PRIu32, clip, bone,
+               run.texel, run.texel_step);
+        printf(" k_step %" PRIu32 " intervals %" PRIu32 " wraps %" PRIu32 "\n", run.k_step,
+               run.interval_count, run.wraps);
+    }
+}
+
+static void print_poses(const posepack_view* view, uint32_t clip) {
+    float* matrices = (float*)malloc(view->header.bone_count * 12 * sizeof(float));
+    uint32_t i, bone;
+    if (matrices == NULL) exit(2);
+    for (i = 0; i < sizeof kPhases / sizeof kPhases[0]; ++i) {
+        float phase;
+        memcpy(&phase, &kPhases[i], sizeof phase);
+        if (posepack_sample_pose(view, clip, phase, matrices) != POSEPACK_OK) exit(3);
+        for (bone = 0; bone < view->header.bone_count; ++bone) {
+            printf("sample %" PRIu32 " phase %08" PRIx32 " bone %" PRIu32, clip, kPhases[i], bone);
+            print_floats(matrices + 12 * bone, 12);
+            printf("\n");
+        }
+    }
+    free(matrices);
+}
+
 static void print_container(const void* bytes, size_t size) {
     posepack_view view;
     const posepack_result result = posepack_open(&view, bytes, size);
@@ -219,6 +251,10 @@ static void print_container(const void* bytes, size_t size) {
     print_bones(&view);
     print_space(&view);
     print_rows(&view);
+    for (i = 0; i < view.header.clip_count; ++i) {
+        print_runs(&view, i);
+        print_poses(&view, i);
+    }
 }
 
 int main(int argument_count, char** arguments) {

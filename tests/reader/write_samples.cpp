@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Writes containers for the two readers to agree on: every variant of the tiny container into FOLDER/good,
-// and damaged ones with right checksums into FOLDER/damaged.
+// Writes containers for the two readers to agree on: every variant of the tiny container, of uniform rows and
+// of runs, into FOLDER/good, and damaged ones with right checksums into FOLDER/damaged.
 //
 //     write_samples FOLDER
 #include <cstdio>
@@ -8,7 +8,10 @@
 #include <fstream>
 #include <string>
 
+#include "changes.hpp"
 #include "container_builder.hpp"
+#include "run_cases.hpp"
+#include "runs_builder.hpp"
 
 namespace {
 
@@ -44,17 +47,66 @@ int write_good(const fs::path& folder) {
     return written;
 }
 
+// What decides which rows a phase blends: wraps, steps, and a cut or none.
+int write_good_clips(const fs::path& folder) {
+    int written = 0;
+    for (std::uint32_t variant = 0; variant < 3 * 3 * 2 * 2; ++variant) {
+        TinyOptions options;
+        options.encoding = static_cast<std::uint8_t>(POSEPACK_ENCODING_MAT4 + variant % 3);
+        options.rows_per_line = 2;
+        Parts parts = make_parts(options);
+        parts[kClip][kWalk + POSEPACK_CLIP_WRAP] = static_cast<std::uint8_t>(variant / 3 % 3);
+        parts[kClip][kWalk + POSEPACK_CLIP_INTERPOLATION] = variant / 9 & 1;
+        if (variant / 18 != 0) {
+            put_u32(parts[kClip], POSEPACK_CLIP_HEAD_CUT_COUNT, 0);
+            put_u32(parts[kClip], kWalk + POSEPACK_CLIP_CUT_COUNT, 0);
+            parts[kClip].resize(kCuts);
+        }
+        write(folder / ("clip_" + std::to_string(variant) + ".posepack"), assemble(parts));
+        ++written;
+    }
+    return written;
+}
+
+// Runs in all pairs of encodings, and so many that the texture is wider than 64.
+int write_good_runs(const fs::path& folder) {
+    int written = 0;
+    for (std::uint32_t variant = 0; variant < 9 * 2 * 3 * 2 * 2; ++variant) {
+        RunOptions options = tiny_runs(static_cast<std::uint8_t>(POSEPACK_ENCODING_MAT4 + variant % 3),
+                                       static_cast<std::uint8_t>(POSEPACK_ENCODING_MAT4 + variant / 3 % 3));
+        options.texel_format = variant / 9 & 1 ? POSEPACK_TEXEL_RGBA32F : POSEPACK_TEXEL_RGBA16F;
+        options.clips[0].wrap = static_cast<std::uint8_t>(variant / 18 % 3);
+        options.clips[0].interpolation = variant / 54 & 1;
+        // A run within another closes too.
+        if (options.clips[0].wrap == POSEPACK_WRAP_LOOP) options.clips[0].runs[2] = run_word(0, 2);
+        const bool turned = variant / 108 != 0;
+        options.measured = !turned;
+        if (turned && options.clips[1].encoding == POSEPACK_ENCODING_DUALQUAT) options.clips[1].turned = 2;
+        write(folder / ("runs_" + std::to_string(variant) + ".posepack"), make_run_container(options));
+        ++written;
+    }
+    write(folder / "runs_wide.posepack", make_run_container(many_runs(8, 4095)));
+    return written + 1;
+}
+
+// Each rule about runs broken once, and what just keeps it.
+int write_run_cases(const fs::path& folder) {
+    int written = 0;
+    for (const RunCase& test : run_cases()) {
+        Parts parts = make_run_parts(test.options);
+        if (test.change != nullptr) test.change(parts);
+        const fs::path kind = folder / (test.expected == POSEPACK_OK ? "good" : "damaged");
+        write(kind / ("rule_" + std::to_string(written) + "_" + test.rule + ".posepack"), assemble(parts));
+        ++written;
+    }
+    return written;
+}
+
 // Every 61st bit flipped, and every word of header and tables set to a hostile value, all sealed again.
-int write_damaged(const fs::path& folder, std::uint8_t encoding) {
-    const std::string suffix = "_" + std::to_string(encoding) + ".posepack";
-    TinyOptions options;
-    options.encoding = encoding;
-    options.closing_row = encoding == POSEPACK_ENCODING_DUALQUAT;
-    options.texel_order = POSEPACK_ORDER_PLANAR;
-    options.rows_per_line = 2;
-    options.pad_pitch = true;
-    const Bytes good = make_container(options);
-    const std::size_t tables_end = section_offset(good, POSEPACK_SECTION_STRS);
+// Tables end at offset `tables_end`, within the first 1,200 bytes; fill reaches to 4,096.
+int write_damaged(const fs::path& folder, const std::string& name, const Bytes& good,
+                  std::size_t tables_end) {
+    const std::string suffix = "_" + name + ".posepack";
     int written = 0;
     for (std::size_t bit = 0; bit < 8 * good.size(); bit += bit < 8 * 1200 || bit >= 8 * 4096 ? 61 : 1009) {
         Bytes bytes = good;
@@ -74,6 +126,34 @@ int write_damaged(const fs::path& folder, std::uint8_t encoding) {
     return written;
 }
 
+int write_damaged_rows(const fs::path& folder, std::uint8_t encoding) {
+    TinyOptions options;
+    options.encoding = encoding;
+    options.closing_row = encoding == POSEPACK_ENCODING_DUALQUAT;
+    options.texel_order = POSEPACK_ORDER_PLANAR;
+    options.rows_per_line = 2;
+    options.pad_pitch = true;
+    const Bytes good = make_container(options);
+    return write_damaged(folder, std::to_string(encoding), good, section_offset(good, POSEPACK_SECTION_STRS));
+}
+
+// Also every bit of RUNS.
+int write_damaged_runs(const fs::path& folder, std::uint8_t idle, std::uint8_t walk) {
+    const std::string name = "runs_" + std::to_string(idle) + std::to_string(walk);
+    const Bytes good = make_run_container(tiny_runs(idle, walk));
+    const std::size_t runs = section_offset(good, kRuns),
+                      runs_end = runs + 2 * kTinyBoneCount * POSEPACK_RUN_BYTES;
+    int written = 0;
+    for (std::size_t bit = 8 * runs; bit < 8 * runs_end; ++bit) {
+        Bytes bytes = good;
+        bytes[bit / 8] ^= static_cast<std::uint8_t>(1u << (bit % 8));
+        seal(bytes);
+        write(folder / ("run_bit_" + std::to_string(bit) + "_" + name + ".posepack"), bytes);
+        ++written;
+    }
+    return written + write_damaged(folder, name, good, runs_end);
+}
+
 }  // namespace
 
 int main(int argument_count, char** arguments) {
@@ -82,11 +162,19 @@ int main(int argument_count, char** arguments) {
         return 1;
     }
     const fs::path folder = arguments[1];
-    fs::create_directories(folder / "good");
-    fs::create_directories(folder / "damaged");
-    const int good = write_good(folder / "good");
-    const int damaged = write_damaged(folder / "damaged", POSEPACK_ENCODING_MAT4) +
-                        write_damaged(folder / "damaged", POSEPACK_ENCODING_DUALQUAT);
-    std::printf("wrote %d good and %d damaged containers\n", good, damaged);
+    for (const char* kind : {"good", "damaged"}) {
+        fs::remove_all(folder / kind);  // of another version of this program
+        fs::create_directories(folder / kind);
+    }
+    const int good =
+        write_good(folder / "good") + write_good_clips(folder / "good") + write_good_runs(folder / "good");
+    const int damaged =
+        write_damaged_rows(folder / "damaged", POSEPACK_ENCODING_MAT4) +
+        write_damaged_rows(folder / "damaged", POSEPACK_ENCODING_DUALQUAT) +
+        write_damaged_runs(folder / "damaged", POSEPACK_ENCODING_MAT4, POSEPACK_ENCODING_MAT4) +
+        write_damaged_runs(folder / "damaged", POSEPACK_ENCODING_AFFINE, POSEPACK_ENCODING_DUALQUAT);
+    const int rules = write_run_cases(folder);
+    std::printf("wrote %d good and %d damaged containers, and %d about rules of runs\n", good, damaged,
+                rules);
     return 0;
 }

@@ -3,7 +3,7 @@
 
 It shares no line with the C loader and uses only the standard library. It checks every rule of section 14 of the
 specification and prints everything a container says. One module a room of the specification: values, framing, tables,
-clips, texels, dualquat; dump prints.
+clips, texels, runs, sample, dualquat; dump prints.
 
     python3 tests/reader/posepack_reader FILE.posepack
 
@@ -12,12 +12,13 @@ A file that breaks a rule prints one line, `refused RESULT`.
 from posepack_reader.clips import Clips
 from posepack_reader.dump import dump
 from posepack_reader.framing import Framing
+from posepack_reader.runs import Runs
 from posepack_reader.tables import Tables
 from posepack_reader.texels import Texels
 from posepack_reader.values import Refused
 
 
-class Container(Framing, Tables, Clips, Texels):
+class Container(Framing, Tables, Clips, Runs, Texels):
     """A container whose every rule has been checked."""
 
     def __init__(self, data):
@@ -31,6 +32,7 @@ class Container(Framing, Tables, Clips, Texels):
         self.read_space()
         self.read_clips()
         self.read_states()
+        self.read_runs()
         self.check_texels()
 
 

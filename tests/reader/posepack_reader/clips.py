@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Clips and states (sections 8 and 9; rules C and A)."""
+from posepack_reader.tables import TEXELS
 from posepack_reader.values import (NONE, is_finite, is_index, is_non_negative, is_positive, is_zero, require, u32, u32s,
                                     value)
 
@@ -21,26 +22,31 @@ class Clips:
         for at in range(16, cuts_at, 192):
             clip = self.read_clip(data[at:at + 192])
             require(clip["first_row"] == next_row and clip["row_count"] >= 1)  # C6
-            texels = self.header["bone_count"] * self.header["texels_per_bone"]
-            require(clip["first_texel"] == next_row * texels)  # C6
+            if clip["row_scheme"] == 0:
+                texels = self.header["bone_count"] * self.header["texels_per_bone"]
+                require(clip["first_texel"] == next_row * texels)  # C6
             next_row += clip["row_count"] + clip["closing_row"]
             first_cut, own_cuts = u32(data, at + 28), u32(data, at + 32)
             require(first_cut == next_cut)  # C7
             next_cut += own_cuts
             require(next_cut <= cut_count)  # C7
             clip["cuts"] = cuts[first_cut:next_cut]
+            require(clip["row_scheme"] == 0 or not clip["cuts"])  # C7
             require(all(cut < clip["row_count"] for cut in clip["cuts"]))  # C7
             require(all(a < b for a, b in zip(clip["cuts"], clip["cuts"][1:])))  # C7
             self.clips.append(clip)
         require(next_row == self.header["row_count"] and next_cut == cut_count)  # C6, C7
+        differ = any(clip["encoding"] != self.clips[0]["encoding"] for clip in self.clips)
+        require(differ == (self.header["encoding"] == 255))  # C3
         all_measured = all(clip["measured"] for clip in self.clips)
         require(self.header["optional_features"] & 1 == all_measured)  # C13
 
     def read_clip(self, r):
         h = self.header
-        require((r[8], r[9], r[10]) == (h["encoding"], h["texels_per_bone"], h["row_scheme"]))  # C3
+        require(r[10] == h["row_scheme"])  # C3
+        require(r[8] in TEXELS and h["encoding"] in (r[8], 255) and r[9] == TEXELS[r[8]])  # C3
         require(r[11] <= 2 and r[12] <= 1 and r[14] <= 1 and r[15] <= 1)  # C4
-        require(r[13] <= (r[8] == 3 and r[11] == 0))  # C5: dual quaternions of a loop
+        require(r[13] <= (r[10] == 0 and r[8] == 3 and r[11] == 0))  # C5: dual quaternions of a uniform loop
         require(is_zero(r[96:120]) and u32(r, 176) == NONE and is_zero(r[180:184]))  # C5
         require(is_zero(r[188:192]))  # C5
         clip = {"name": self.string(u32(r, 0)), "source_name": self.string(u32(r, 4)),  # C2

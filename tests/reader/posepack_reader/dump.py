@@ -6,7 +6,11 @@ import struct
 
 from posepack_reader.dualquat import dualquat_matrices
 from posepack_reader.framing import HEADER_FIELDS, HEADER_FLOATS
+from posepack_reader.sample import Sampler
 from posepack_reader.values import NO_BONE, NONE, value
+
+# Bits of the phases at which poses are printed: NaN, 0.001, 0.1, a third, a half, 0.72, the last below 1, 1 and 2.
+PHASES = (0x7FC00000, 0x3A83126F, 0x3DCCCCCD, 0x3EAAAAAB, 0x3F000000, 0x3F3851EC, 0x3F7FFFFF, 0x3F800000, 0x40000000)
 
 
 def hex_bits(bits):
@@ -62,13 +66,15 @@ def dump_dualquat_rows(container):
     for row in range(container.header["row_count"]):
         block = container.place_bytes(row)
         numbers = struct.unpack(f"<{4 * len(block) // container.texel_bytes}{letter}", block)
-        real, dual = ([[numbers[4 * places[bone][k] + c] for bone in bones] for c in range(4)] for k in range(2))
-        for bone, matrix in enumerate(zip(*dualquat_matrices(real, dual, length))):
+        stored = [[numbers[4 * places[bone][k] + c] for bone in bones] for k in range(2) for c in range(4)]
+        for bone, matrix in enumerate(zip(*dualquat_matrices(stored, length))):
             yield f"row {row} bone {bone} {struct.pack('>12f', *matrix).hex(' ', 4)}"
 
 
 def dump_rows(container):
-    """Every bone-row as twelve floats."""
+    """Every bone of every row as twelve floats; runs have no such rows."""
+    if container.header["row_scheme"] == 2:
+        return
     if container.header["encoding"] == 3:
         yield from dump_dualquat_rows(container)
         return
@@ -78,6 +84,19 @@ def dump_rows(container):
         texts = list(map(widened, container.row_bits(row)))
         for bone, places in enumerate(components):
             yield f"row {row} bone {bone} " + " ".join([texts[place] for place in places])
+
+
+def dump_samples(container):
+    """Where the rows of every bone of every clip are, and its pose at some phases."""
+    for number in range(len(container.clips)):
+        sampler = Sampler(container, number)
+        for bone in sampler.bones:
+            yield (f"run {number} bone {bone} texel %d texel_step %d k_step %d intervals %d wraps %d" %
+                   sampler.run(bone))
+        for phase in PHASES:
+            for bone, matrix in enumerate(sampler.pose(value(phase))):
+                text = struct.pack(">12f", *matrix).hex(" ", 4)
+                yield f"sample {number} phase {hex_bits(phase)} bone {bone} {text}"
 
 
 def dump(container):
@@ -104,3 +123,4 @@ def dump(container):
         yield f"  palette_from_mesh {hex_list(mesh['palette_from_mesh'])}"
         yield "  joints" + "".join(" none" if bone == NO_BONE else f" {bone}" for bone in mesh["joints"])
     yield from dump_rows(container)
+    yield from dump_samples(container)

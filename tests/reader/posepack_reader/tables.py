@@ -3,22 +3,26 @@
 from posepack_reader.values import (NO_BONE, NONE, Refused, is_finite, is_index, is_positive, is_zero, require, u16, u32, u32s,
                                     value)
 
+TEXELS = {1: 4, 2: 3, 3: 2}  # of a bone, by encoding
+
 
 class Tables:
     """Reads the tables that nothing in time depends on. Needs what Framing has read."""
 
     def check_header_values(self):
         h = self.header
-        known = ((h["encoding"], (1, 2, 3), (4, 5, 255)), (h["texel_format"], (1, 2), (3, 4)),
-                 (h["texel_order"], (0, 1), (2,)), (h["row_scheme"], (0,), (1, 2, 255)))
+        encodings = (1, 2, 3, 255) if h["row_scheme"] == 2 else (1, 2, 3)
+        known = ((h["encoding"], encodings, (4, 5, 255)), (h["texel_format"], (1, 2), (3, 4)),
+                 (h["texel_order"], (0, 1), (2,)), (h["row_scheme"], (0, 2), (1, 255)))
         require(all(number in now + later for number, now, later in known))  # H1 to H4
         require(h["space_flags"] <= 1)  # H6
         require(is_zero(self.data[58:60]))  # H7
         require(is_positive(h["radius_m"]))  # H8
         require(all(number in now for number, now, later in known), "UNSUPPORTED")
-        require(h["texels_per_bone"] == {1: 4, 2: 3, 3: 2}[h["encoding"]])  # H5
+        require(h["texels_per_bone"] == (TEXELS | {255: 255})[h["encoding"]])  # H5
+        require(("RUNS" in self.bytes_of) == (h["row_scheme"] == 2))  # H10
         length = h["dualquat_length"]
-        require(is_positive(length) if h["encoding"] == 3 else length == 0)  # H9
+        require(is_positive(length) if h["encoding"] in (3, 255) else length == 0)  # H9
 
     def read_strings(self):
         data = self.bytes_of["STRS"]

@@ -1,18 +1,25 @@
 # SPDX-License-Identifier: MIT
-"""The texture: its geometry, the texels and where a bone-row lies (section 10; rules G and X)."""
+"""The texture of uniform rows: its geometry, the texels and where a bone-row lies (section 10; rules G and X)."""
 import struct
 
 from posepack_reader.values import is_zero, require
 
 
 class Texels:
-    """Reads PIXL. Needs what Framing and Clips have read."""
+    """Reads PIXL where rows are uniform. Needs what Framing and Clips have read."""
 
     def check_texels(self):
+        self.texel_bytes = {1: 8, 2: 16}[self.header["texel_format"]]
+        self.pixl = next(section for section in self.sections if section.name() == "PIXL")
+        self.pixels = self.bytes_of["PIXL"]
+        if self.header["row_scheme"] == 2:
+            self.check_run_texels()
+        else:
+            self.check_uniform_texels()
+
+    def check_uniform_texels(self):
         h = self.header
-        pixl = next(section for section in self.sections if section.name() == "PIXL")
         per_line, rows = h["rows_per_line"], h["row_count"]
-        self.texel_bytes = {1: 8, 2: 16}[h["texel_format"]]
         row_texels = h["bone_count"] * h["texels_per_bone"]
         self.row_bytes = row_texels * self.texel_bytes
         tight = per_line * self.row_bytes
@@ -20,9 +27,8 @@ class Texels:
         require(h["texture_width"] == per_line * row_texels)  # G2
         require(h["texture_height"] == -(-rows // per_line))  # G3
         require(h["row_pitch"] in (tight, -(-tight // 256) * 256))  # G4
-        require(pixl.raw_bytes == h["row_pitch"] * h["texture_height"] <= 1 << 28)  # G5, G6
-        require(pixl.flags == 0, "NEEDS_DECODE")  # X5
-        self.pixels = self.bytes_of["PIXL"]
+        require(self.pixl.raw_bytes == h["row_pitch"] * h["texture_height"] <= 1 << 28)  # G5, G6
+        require(self.pixl.flags == 0, "NEEDS_DECODE")  # X5
         for line in range(h["texture_height"]):
             start = line * h["row_pitch"]
             for row in range(line * per_line, (line + 1) * per_line):

@@ -3,11 +3,13 @@
 // reads happen in a buffer that ends at an unreadable page.
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <random>
 
 #include "container_builder.hpp"
 #include "guarded_bytes.hpp"
 #include "posepack/loader.h"
+#include "runs_builder.hpp"
 
 namespace posepack::test {
 namespace {
@@ -21,6 +23,24 @@ std::uint32_t touch(posepack_string text) {
     std::uint32_t sum = 0;
     for (std::uint32_t i = 0; i < text.size_bytes; ++i) sum += static_cast<std::uint8_t>(text.data[i]);
     return sum;
+}
+
+// Every clip, and one that is not there, at phases good and bad, as poses and bone by bone.
+std::uint32_t sample_everything(const posepack_view& view) {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    std::uint32_t sampled = 0;
+    posepack_run run;
+    float matrices[12 * kTinyBoneCount];
+    for (std::uint32_t clip = 0; clip <= view.header.clip_count; ++clip) {
+        for (const float phase : {0.f, 0.4f, 0.99999994f, 1.f, -2.f, nan}) {
+            if (posepack_sample_pose(&view, clip, phase, matrices) == POSEPACK_OK) ++sampled;
+            for (std::uint32_t bone = 0; bone <= view.header.bone_count; ++bone)
+                posepack_sample_bone(&view, clip, phase, bone, matrices);
+        }
+        for (std::uint32_t bone = 0; bone <= view.header.bone_count; ++bone)
+            if (posepack_get_run(&view, clip, bone, &run) == POSEPACK_OK) ++sampled;
+    }
+    return sampled;
 }
 
 // Calls every accessor with every index and some that are out of range, and reads all that comes back.
@@ -67,6 +87,7 @@ std::uint32_t read_everything(const posepack_view& view) {
         float matrices[12 * kTinyBoneCount];
         posepack_decode_row(&view, row, matrices);
     }
+    EXPECT_EQ(sample_everything(view), view.header.clip_count * (6 + view.header.bone_count));
     return sum;
 }
 
@@ -135,6 +156,25 @@ TEST(Safety, SealedBitFlipsNeverReadOutside) {
         }
     }
     EXPECT_GT(opened, 1000);  // recipe, node numbers, finite floats
+}
+
+TEST(Safety, SealedBitFlipsOfRunsNeverReadOutside) {
+    const Bytes good = make_run_container(tiny_runs(POSEPACK_ENCODING_DUALQUAT, POSEPACK_ENCODING_MAT4));
+    const std::size_t tables_end = section_offset(good, POSEPACK_SECTION_RUNS) + 24;
+    GuardedBytes memory(good.size());
+    int opened = 0;
+    for (std::size_t bit = 0; bit < 8 * good.size(); ++bit) {
+        if (bit / 8 >= tables_end && bit / 8 < section_offset(good, POSEPACK_SECTION_PIXL)) continue;
+        Bytes bytes = good;
+        flip_bit(bytes, bit);
+        seal(bytes);
+        posepack_view view;
+        if (posepack_open(&view, memory.place(bytes.data(), bytes.size()), bytes.size()) == POSEPACK_OK) {
+            read_everything(view);
+            ++opened;
+        }
+    }
+    EXPECT_GT(opened, 1000);
 }
 
 constexpr std::uint32_t kTables[] = {POSEPACK_SECTION_CLIP, POSEPACK_SECTION_STAT, POSEPACK_SECTION_BONE,
@@ -223,6 +263,77 @@ TEST(Safety, BytesThatChangeAfterOpenNeverReadOutside) {
         read_everything(view);
     }
     SUCCEED() << "seed " << kSeed;
+}
+
+// Containers with runs: PIXL last, so that a texel too far is in the guard, and RUNS last.
+std::vector<Bytes> run_containers() {
+    Parts runs_last = make_run_parts(tiny_runs(POSEPACK_ENCODING_DUALQUAT, POSEPACK_ENCODING_AFFINE));
+    runs_last.move_to_end(POSEPACK_SECTION_RUNS);
+    return {make_run_container(), assemble(runs_last),
+            make_run_container(tiny_runs(POSEPACK_ENCODING_MAT4, POSEPACK_ENCODING_DUALQUAT))};
+}
+
+TEST(Safety, RunsThatChangeAfterOpenNeverReadOutside) {
+    constexpr std::uint32_t kHostile[] = {0,          0x000FFFFF, 0xFFF00000, 0xFFFFFFFF,
+                                          0x80000000, 0x00100001, 0x00080000, 0x7FF00018};
+    std::mt19937 random(20250330);
+    posepack_view view;
+    for (const Bytes& good : run_containers()) {
+        GuardedBytes memory(good.size());
+        std::uint8_t* bytes = memory.place(good.data(), good.size());
+        ASSERT_EQ(posepack_open(&view, bytes, good.size()), POSEPACK_OK);
+        const std::size_t runs = section_offset(good, POSEPACK_SECTION_RUNS);
+        const std::size_t size =
+            get_u64(good, entry_offset(good, POSEPACK_SECTION_RUNS) + POSEPACK_ENT_RAW_BYTES);
+        ASSERT_EQ(size, 2u * 3u * 4u);
+        for (std::size_t bit = 0; bit < 8 * size; ++bit) {
+            bytes[runs + bit / 8] ^= static_cast<std::uint8_t>(1u << (bit % 8));
+            read_everything(view);
+            bytes[runs + bit / 8] ^= static_cast<std::uint8_t>(1u << (bit % 8));
+        }
+        for (int round = 0; round < 2000; ++round) {
+            for (std::size_t at = runs; at < runs + size; at += 4) {
+                const auto word =
+                    static_cast<std::uint32_t>(random() % 2 == 0 ? kHostile[random() % 8] : random());
+                for (std::size_t i = 0; i < 4; ++i) bytes[at + i] = static_cast<std::uint8_t>(word >> 8 * i);
+            }
+            read_everything(view);
+        }
+    }
+}
+
+TEST(Safety, ClipsWithRunsThatChangeAfterOpenNeverReadOutside) {
+    std::mt19937 random(20250331);
+    posepack_view view;
+    for (const Bytes& good : run_containers()) {
+        GuardedBytes memory(good.size());
+        for (int round = 0; round < 2000; ++round) {
+            std::uint8_t* bytes = memory.place(good.data(), good.size());
+            ASSERT_EQ(posepack_open(&view, bytes, good.size()), POSEPACK_OK);
+            const std::size_t clips = section_offset(good, POSEPACK_SECTION_CLIP);
+            for (std::uint32_t i = 0; i <= random() % 48; ++i) {
+                constexpr std::uint8_t kHostile[] = {0x00, 0x01, 0x04, 0x05, 0x7F, 0x80, 0xFF};
+                bytes[clips + random() % 400] = kHostile[random() % 7];  // head and both records
+            }
+            read_everything(view);
+        }
+    }
+}
+
+// A file whose bytes change may state an encoding that open refuses: no number is made of it.
+TEST(Safety, AnEncodingThatAppearsAfterOpenGivesZeros) {
+    for (Bytes bytes : {make_container(), make_run_container()}) {
+        posepack_view view;
+        ASSERT_EQ(posepack_open(&view, bytes.data(), bytes.size()), POSEPACK_OK);
+        const std::size_t record = section_offset(bytes, POSEPACK_SECTION_CLIP) + POSEPACK_CLIP_HEAD_BYTES;
+        for (const std::uint8_t encoding : {0, 4, 5, 6, 255}) {
+            bytes[record + POSEPACK_CLIP_ENCODING] = encoding;
+            float matrix[12];
+            std::fill_n(matrix, 12, 7.f);
+            EXPECT_EQ(posepack_sample_bone(&view, 0, 0.3f, 0, matrix), POSEPACK_OK);
+            for (const float number : matrix) EXPECT_EQ(number, 0.f) << int{encoding};
+        }
+    }
 }
 
 TEST(Safety, TablesFilledWithOnesOrZerosAfterOpen) {

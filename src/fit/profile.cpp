@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "fit/profile.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace posepack::fit {
+namespace {
+
+constexpr std::size_t kCountedPoints = 20;
+constexpr std::size_t kSamplesCompared = 5;
+
+struct Influence {
+    std::array<float, 3> point;
+    float weight;
+};
+
+// Every so manieth vertex, then the outermost along the axes.
+BonePoints choose_points(const std::vector<Influence>& all) {
+    BonePoints out;
+    const auto push = [&](const Influence& influence) {
+        out.x.push_back(influence.point[0]);
+        out.y.push_back(influence.point[1]);
+        out.z.push_back(influence.point[2]);
+        out.weight.push_back(influence.weight);
+    };
+    if (all.empty()) return out;
+    const std::size_t count = std::min(kCountedPoints, all.size());
+    for (std::size_t i = 0; i < count; ++i) push(all[i * all.size() / count]);
+    out.counted = count;
+    out.share = static_cast<double>(all.size()) / static_cast<double>(count);
+    if (all.size() > count)
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            // A vertex that hardly belongs to the bone is not its end.
+            const auto score = [&](const Influence& i) { return i.weight * i.point[axis]; };
+            const auto [low, high] = std::minmax_element(
+                all.begin(), all.end(), [&](const auto& a, const auto& b) { return score(a) < score(b); });
+            push(*low);
+            push(*high);
+        }
+    return out;
+}
+
+// The matrix of blended numbers, row by row; a dual quaternion as a reader computes it.
+void write_matrix(Form form, const double* n, float* m) {
+    if (form == Form::affine) {
+        for (std::size_t i = 0; i < 12; ++i) m[i] = static_cast<float>(n[i]);
+        return;
+    }
+    const double x = n[0], y = n[1], z = n[2], w = n[3], s = n[8];
+    const double square = x * x + y * y + z * z + w * w;
+    const double h = 2.0 / std::max(square, 1e-12);
+    m[0] = static_cast<float>(s * (1 - h * (y * y + z * z)));
+    m[1] = static_cast<float>(s * h * (x * y - w * z));
+    m[2] = static_cast<float>(s * h * (x * z + w * y));
+    m[3] = static_cast<float>(h * (w * n[4] - n[7] * x + (y * n[6] - z * n[5])));
+    m[4] = static_cast<float>(s * h * (x * y + w * z));
+    m[5] = static_cast<float>(s * (1 - h * (x * x + z * z)));
+    m[6] = static_cast<float>(s * h * (y * z - w * x));
+    m[7] = static_cast<float>(h * (w * n[5] - n[7] * y + (z * n[4] - x * n[6])));
+    m[8] = static_cast<float>(s * h * (x * z - w * y));
+    m[9] = static_cast<float>(s * h * (y * z + w * x));
+    m[10] = static_cast<float>(s * (1 - h * (x * x + y * y)));
+    m[11] = static_cast<float>(h * (w * n[6] - n[7] * z + (x * n[5] - y * n[4])));
+}
+
+// Squares of the distances, weights taken in, that a difference of matrices makes.
+void squares_of(const float* e, const BonePoints& points, float scale, float* out) {
+    for (std::size_t i = 0; i < points.x.size(); ++i) {
+        const float x = points.x[i], y = points.y[i], z = points.z[i];
+        const float dx = e[0] * x + e[1] * y + e[2] * z + e[3];
+        const float dy = e[4] * x + e[5] * y + e[6] * z + e[7];
+        const float dz = e[8] * x + e[9] * y + e[10] * z + e[11];
+        const float w = points.weight[i] * scale;
+        out[i] = w * w * (dx * dx + dy * dy + dz * dz);
+    }
+}
+
+}  // namespace
+
+std::vector<BonePoints> bone_points(const motion::SkinSet& points, const palette::Spaces& spaces,
+                                    std::size_t bone_count) {
+    std::vector<std::vector<Influence>> all(bone_count);
+    for (std::size_t n = 1; n + 1 < points.first.size(); ++n)
+        for (std::uint32_t i = points.first[n]; i < points.first[n + 1]; ++i)
+            for (std::size_t k = 0; k < n; ++k) {
+                const std::size_t bone = points.bones[i][k];
+                const auto& v = points.vectors[i];
+                const glm::dvec3 p = spaces.bone_entry(bone) * glm::dvec3(v[0], v[1], v[2]);
+                all[bone].push_back(
+                    {{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)},
+                     points.weights[i][k]});
+            }
+    std::vector<BonePoints> out;
+    for (const auto& influences : all) out.push_back(choose_points(influences));
+    return out;
+}
+
+void Profile::add(float square, double share) {
+    const auto value = static_cast<double>(square);
+    square_sum += share * value;
+    if (value <= floor_square_) return;
+    // Four bins an octave of the square: the exponent and two bits.
+    constexpr int kShift = 21;
+    const auto bin = (std::bit_cast<std::uint32_t>(square) -
+                      std::bit_cast<std::uint32_t>(static_cast<float>(floor_square_))) >>
+                     kShift;
+    counts_[std::min<std::size_t>(bin, kBins - 1)] += share;
+}
+
+double Profile::count_above(double distance) const {
+    const double octaves = 2.0 * std::log2(distance * distance / floor_square_) * 2.0;
+    const auto first = static_cast<std::size_t>(std::clamp(std::floor(octaves), 0.0, double{kBins - 1}));
+    double sum = 0.0;
+    for (std::size_t i = first + 1; i < kBins; ++i) sum += counts_[i];
+    // Of the bin that the distance falls into, the part above it.
+    return sum + counts_[first] * (1.0 - std::clamp(octaves - static_cast<double>(first), 0.0, 1.0));
+}
+
+Profile profile_of(const Tracks& tracks, const Polyline& line, std::size_t bone, const BonePoints& points,
+                   double reach, double floor, std::vector<float>* sample_errors) {
+    Profile profile(floor);
+    if (points.is_empty()) return profile;
+    const auto scale = static_cast<float>(1.0 / reach);
+    const std::size_t width = numbers_of(tracks.form);
+    std::array<double, kAffineNumbers> numbers{};
+    std::array<float, 12> found{};
+    std::vector<float> squares(points.x.size());
+    float max = 0.0f;
+    for (std::size_t k = 0; k < tracks.known_count; ++k) {
+        blend_numbers(line, width, tracks.step, tracks.phase(k), numbers.data());
+        write_matrix(tracks.form, numbers.data(), found.data());
+        const std::span<const float> exact = tracks.exact_at(bone, k);
+        for (std::size_t i = 0; i < 12; ++i) found[i] -= exact[i];
+        squares_of(found.data(), points, scale, squares.data());
+        for (std::size_t i = 0; i < points.counted; ++i) profile.add(squares[i], points.share);
+        float largest = 0.0f;
+        for (const float square : squares) largest = std::max(largest, square);
+        if (sample_errors != nullptr) sample_errors->push_back(std::sqrt(largest));
+        max = std::max(max, largest);
+    }
+    profile.max = std::sqrt(static_cast<double>(max));
+    return profile;
+}
+
+double distance_between(const Tracks& tracks, std::size_t first, std::size_t second, const BonePoints& points,
+                        double reach, double enough) {
+    const auto scale = static_cast<float>(1.0 / reach);
+    std::vector<float> squares(points.x.size());
+    std::array<float, 12> difference{};
+    float max = 0.0f;
+    for (std::size_t i = 0; i < kSamplesCompared; ++i) {
+        const std::size_t k = i * (tracks.known_count - 1) / (kSamplesCompared - 1);
+        const auto a = tracks.exact_at(first, k);
+        const auto b = tracks.exact_at(second, k);
+        for (std::size_t e = 0; e < 12; ++e) difference[e] = a[e] - b[e];
+        squares_of(difference.data(), points, scale, squares.data());
+        for (const float square : squares) max = std::max(max, square);
+        if (static_cast<double>(max) > enough * enough) break;
+    }
+    return std::sqrt(static_cast<double>(max));
+}
+
+}  // namespace posepack::fit

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: MIT
+#include "fit/select.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "posepack/format.h"
+
+namespace posepack::fit {
+namespace {
+
+constexpr double kShareAbove = 0.001;  // of places may lie above p99.9
+
+// Numbers of intervals worth a try: the key grid's, its multiples, and below it some an octave.
+std::vector<std::uint32_t> make_ladder(const Tracks& tracks, std::uint32_t finest) {
+    std::vector<std::uint32_t> ladder{0};
+    if (tracks.interval_count == 0) return ladder;
+    const std::uint32_t keys = tracks.key_intervals;
+    const std::uint32_t least = tracks.loop ? 2 : 1;
+    for (double below = keys; below >= least; below *= 0.88)
+        ladder.push_back(static_cast<std::uint32_t>(std::lround(below)));
+    ladder.push_back(least);
+    for (std::uint32_t times = 2; times <= finest; times *= 2) {
+        ladder.push_back(keys * times);
+        if (times * 3 / 2 <= finest) ladder.push_back(keys * times * 3 / 2);
+    }
+    std::sort(ladder.begin(), ladder.end());
+    ladder.erase(std::unique(ladder.begin(), ladder.end()), ladder.end());
+    std::erase_if(ladder, [&](std::uint32_t n) {
+        return n > POSEPACK_RUN_MAX_INTERVALS || (n > 0 && 2 * n > tracks.interval_count && n > keys);
+    });
+    return ladder;
+}
+
+// Where only the large errors are limited, samples that a first fit leaves far off weigh more in a second.
+std::vector<float> weights_of(const std::vector<float>& errors, double p999) {
+    constexpr double kLargest = 25.0;
+    std::vector<float> weights;
+    for (const float error : errors) {
+        const double share = static_cast<double>(error) / p999;
+        weights.push_back(static_cast<float>(1.0 + std::min(share * share, kLargest)));
+    }
+    return weights;
+}
+
+}  // namespace
+
+RowSelector::RowSelector(const Tracks& tracks, const std::vector<BonePoints>& points, std::size_t point_count,
+                         std::uint32_t row_bytes, double reach, double floor, std::uint32_t finest)
+    : tracks_(tracks),
+      points_(points),
+      places_(static_cast<double>(point_count) * tracks.known_count),
+      row_bytes_(row_bytes),
+      reach_(reach),
+      floor_(floor),
+      ladder_(make_ladder(tracks, finest)),
+      candidates_(tracks.bone_count) {}
+
+// From coarse to fine, until nothing is to be gained: no place above the floor, and a mean square that does
+// not count.
+const std::vector<RowSelector::Candidate>& RowSelector::candidates(std::size_t bone, const Limits& limits) {
+    std::vector<Candidate>& known = candidates_[bone];
+    const double small = std::isfinite(limits.rms) ? 0.1 * limits.rms * limits.rms * places_ /
+                                                         static_cast<double>(candidates_.size())
+                                                   : HUGE_VAL;
+    while (known.size() < ladder_.size()) {
+        if (!known.empty()) {
+            const Profile& last = known.back().profile;
+            if (last.max <= limits.max && last.count_above(floor_) == 0.0 && last.square_sum <= small) break;
+        }
+        const std::uint32_t intervals = ladder_[known.size()];
+        Polyline line = fit_polyline(tracks_, bone, intervals);
+        std::vector<float> errors;
+        Profile profile = profile_of(tracks_, line, bone, points_[bone], reach_, floor_, &errors);
+        if (!std::isfinite(limits.rms) && intervals > 0 && profile.max > floor_) {
+            line = fit_polyline(tracks_, bone, intervals, weights_of(errors, limits.p999));
+            profile = profile_of(tracks_, line, bone, points_[bone], reach_, floor_);
+        }
+        known.push_back({intervals, std::move(line), profile});
+    }
+    return known;
+}
+
+double RowSelector::cost(const Candidate& candidate, const Limits& limits, const Prices& prices) const {
+    if (candidate.profile.max > limits.max) return HUGE_VAL;
+    double sum = static_cast<double>(row_bytes_) * (candidate.interval_count + 1.0);
+    if (prices.count > 0.0) sum += prices.count * candidate.profile.count_above(limits.p999);
+    return sum + prices.square * candidate.profile.square_sum;
+}
+
+std::size_t RowSelector::cheapest(std::size_t bone, const Limits& limits, const Prices& prices) const {
+    const std::vector<Candidate>& known = candidates_[bone];
+    std::size_t best = known.size() - 1;
+    double least = HUGE_VAL;
+    for (std::size_t i = 0; i < known.size(); ++i)
+        if (const double value = cost(known[i], limits, prices); value < least) {
+            least = value;
+            best = i;
+        }
+    return best;
+}
+
+RowSelector::Totals RowSelector::totals(const Limits& limits, const Prices& prices) const {
+    Totals sum;
+    for (std::size_t bone = 0; bone < candidates_.size(); ++bone) {
+        const Profile& profile = candidates_[bone][cheapest(bone, limits, prices)].profile;
+        if (std::isfinite(limits.p999)) sum.count += profile.count_above(limits.p999);
+        sum.square += profile.square_sum;
+    }
+    return sum;
+}
+
+// The lowest prices under which what is cheapest keeps the limits: each by bisection, in turn.
+std::optional<RowSelector::Prices> RowSelector::find_prices(const Limits& limits) const {
+    const double count_limit = std::isfinite(limits.p999) ? kShareAbove * places_ : HUGE_VAL;
+    const double square_limit = std::isfinite(limits.rms) ? limits.rms * limits.rms * places_ : HUGE_VAL;
+    Prices prices{0.0, 0.0};
+    const auto settle = [&](double Prices::*price, double smallest, auto is_kept) {
+        prices.*price = 0.0;
+        if (is_kept()) return true;
+        double low = std::log2(smallest);
+        double high = low + 70.0;
+        prices.*price = std::exp2(high);
+        if (!is_kept()) return false;
+        for (int i = 0; i < 24; ++i) {
+            const double middle = 0.5 * (low + high);
+            prices.*price = std::exp2(middle);
+            (is_kept() ? high : low) = middle;
+        }
+        prices.*price = std::exp2(high);
+        return true;
+    };
+    for (int turn = 0; turn < 3; ++turn) {
+        if (!settle(&Prices::count, 1e-9, [&] { return totals(limits, prices).count <= count_limit; }))
+            return std::nullopt;
+        if (!settle(&Prices::square, 1e-3, [&] { return totals(limits, prices).square <= square_limit; }))
+            return std::nullopt;
+        if (totals(limits, prices).count <= count_limit) break;
+    }
+    return prices;
+}
+
+const Profile& RowSelector::profile(std::size_t bone, const Pick& pick) const {
+    return pick.shared ? *pick.shared : candidates_[bone][pick.candidate].profile;
+}
+
+Limits RowSelector::expected(const std::vector<Pick>& picks) const {
+    Limits out;
+    double square = 0.0;
+    std::vector<const Profile*> profiles;
+    for (std::size_t bone = 0; bone < picks.size(); ++bone) {
+        profiles.push_back(&profile(bone, picks[bone]));
+        out.max = std::max(out.max, profiles.back()->max);
+        square += profiles.back()->square_sum;
+    }
+    out.rms = std::sqrt(square / places_);
+    // The distance that a thousandth of the places lies above.
+    double low = floor_;
+    double high = std::max(out.max, floor_);
+    for (int i = 0; i < 24; ++i) {
+        const double middle = std::sqrt(low * high);
+        double count = 0.0;
+        for (const Profile* one : profiles) count += one->count_above(middle);
+        (count > kShareAbove * places_ ? low : high) = middle;
+    }
+    out.p999 = high;
+    return out;
+}
+
+// A bone that moves like another shares its rows where that is cheaper, errors counted.
+void RowSelector::join_alike(const Limits& limits, const Prices& prices, std::vector<Pick>& picks) const {
+    std::vector<std::uint32_t> order(picks.size());
+    for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return picks[a].candidate < picks[b].candidate;
+    });
+    const auto value_of = [&](const Profile& profile) {
+        if (profile.max > limits.max) return HUGE_VAL;
+        const double above = prices.count > 0.0 ? prices.count * profile.count_above(limits.p999) : 0.0;
+        return above + prices.square * profile.square_sum;
+    };
+    for (const std::uint32_t bone : order) {
+        if (picks[bone].is_shared || points_[bone].is_empty()) continue;
+        double least = cost(candidates_[bone][picks[bone].candidate], limits, prices);
+        for (const std::uint32_t other : order) {
+            if (other == bone || picks[other].like != animal::kNone || points_[other].is_empty()) continue;
+            const double far = 2.0 * limits.max;
+            if (distance_between(tracks_, other, bone, points_[bone], reach_, far) > far) continue;
+            const Polyline& line = candidates_[other][picks[other].candidate].line;
+            const Profile shared = profile_of(tracks_, line, bone, points_[bone], reach_, floor_);
+            const double value = value_of(shared);
+            if (value >= least) continue;
+            least = value;
+            picks[bone].like = other;
+            picks[bone].shared = shared;
+        }
+        if (picks[bone].like != animal::kNone) picks[picks[bone].like].is_shared = true;
+    }
+}
+
+// Prices leave some room below the limits: it is given to the bones that save most for what they take of it.
+void RowSelector::spend_slack(const Limits& limits, std::vector<Pick>& picks) const {
+    const double count_limit = std::isfinite(limits.p999) ? kShareAbove * places_ : HUGE_VAL;
+    const double square_limit = std::isfinite(limits.rms) ? limits.rms * limits.rms * places_ : HUGE_VAL;
+    const auto count_of = [&](const Profile& p) {
+        return std::isfinite(limits.p999) ? p.count_above(limits.p999) : 0.0;
+    };
+    double count = 0.0, square = 0.0;
+    for (std::size_t bone = 0; bone < picks.size(); ++bone) {
+        count += count_of(profile(bone, picks[bone]));
+        square += profile(bone, picks[bone]).square_sum;
+    }
+    for (;;) {
+        double best = 0.0;
+        std::size_t best_bone = 0, best_candidate = 0;
+        for (std::size_t bone = 0; bone < picks.size(); ++bone) {
+            const Pick& pick = picks[bone];
+            if (pick.like != animal::kNone || pick.is_shared) continue;
+            const Candidate& now = candidates_[bone][pick.candidate];
+            for (std::size_t i = 0; i < pick.candidate; ++i) {
+                const Candidate& next = candidates_[bone][i];
+                const double more = count_of(next.profile) - count_of(now.profile);
+                const double wider = next.profile.square_sum - now.profile.square_sum;
+                if (next.profile.max > limits.max || count + more > count_limit ||
+                    square + wider > square_limit)
+                    continue;
+                const double taken = std::max({more / count_limit, wider / square_limit, 1e-9});
+                const double worth = (now.interval_count - next.interval_count) / taken;
+                if (worth <= best) continue;
+                best = worth;
+                best_bone = bone;
+                best_candidate = i;
+            }
+        }
+        if (best <= 0.0) return;
+        const Profile& before = profile(best_bone, picks[best_bone]);
+        const Profile& after = candidates_[best_bone][best_candidate].profile;
+        count += count_of(after) - count_of(before);
+        square += after.square_sum - before.square_sum;
+        picks[best_bone].candidate = best_candidate;
+    }
+}
+
+std::optional<Selection> RowSelector::select(const Limits& limits) {
+    for (std::size_t bone = 0; bone < candidates_.size(); ++bone)
+        if (candidates(bone, limits).back().profile.max > limits.max) return std::nullopt;
+    const std::optional<Prices> prices = find_prices(limits);
+    if (!prices) return std::nullopt;
+    std::vector<Pick> picks(candidates_.size());
+    for (std::size_t bone = 0; bone < picks.size(); ++bone)
+        picks[bone].candidate = cheapest(bone, limits, *prices);
+    join_alike(limits, *prices, picks);
+    spend_slack(limits, picks);
+    Selection out;
+    out.expected = expected(picks);
+    for (std::size_t bone = 0; bone < picks.size(); ++bone)
+        out.rows.push_back({candidates_[bone][picks[bone].candidate].interval_count, picks[bone].like});
+    return out;
+}
+
+const Polyline& RowSelector::line(std::size_t bone, std::uint32_t interval_count) {
+    for (const Candidate& candidate : candidates_[bone])
+        if (candidate.interval_count == interval_count) return candidate.line;
+    return candidates_[bone].back().line;
+}
+
+}  // namespace posepack::fit
