@@ -11,11 +11,11 @@
 
 #include "animal/read_animal.hpp"
 #include "animal/unused_bones.hpp"
-#include "bake/choose_rows.hpp"
 #include "bake/influences.hpp"
 #include "bake/records.hpp"
 #include "bake/select_clips.hpp"
 #include "base/sha256.hpp"
+#include "choose/choose_rows.hpp"
 #include "measure/measure_error.hpp"
 #include "motion/skin_set.hpp"
 #include "palette/container_writer.hpp"
@@ -203,7 +203,7 @@ base::Status check_seam_gaps(const Animal& animal, const Palette& palette) {
 
 base::Result<Palette> make_palette(const recipe::AnimalEntry& entry, const Animal& animal,
                                    const motion::SkinSet& points, std::vector<Issue>& findings,
-                                   std::vector<std::vector<Attempt>>& attempts) {
+                                   std::vector<std::vector<choose::Attempt>>& attempts) {
     auto choices = select_clips(animal, entry);
     if (!choices) return choices.issue();
     auto states = choose_states(animal, entry, choices.value());
@@ -231,7 +231,7 @@ base::Result<Palette> make_palette(const recipe::AnimalEntry& entry, const Anima
         const std::uint8_t texel_format = entry.output.texel_format == recipe::TexelFormat::rgba16f
                                               ? POSEPACK_TEXEL_RGBA16F
                                               : POSEPACK_TEXEL_RGBA32F;
-        if (auto status = choose_palette_rows(animal, points, bounds, texel_format, aids, palette, attempts);
+        if (auto status = choose::choose_rows(animal, points, bounds, texel_format, aids, palette, attempts);
             !status)
             return status.issue();
         if (auto status = check_seam_gaps(animal, palette); !status) return status.issue();
@@ -254,6 +254,15 @@ base::Result<Palette> make_palette(const recipe::AnimalEntry& entry, const Anima
 
 animal::ReadOptions read_options(const recipe::AnimalEntry& entry, const AnimalOptions& options) {
     return {options.strict, options.allow_data_uris, entry.output.influences};
+}
+
+// Bins of equal width over all clips, `columns` of them in all.
+base::Result<measure::ErrorHeat> heat_of(const Animal& animal, const Palette& palette,
+                                         std::span<const std::uint8_t> container,
+                                         const motion::SkinSet& points, std::uint32_t columns) {
+    double total_s = 0.0;
+    for (const palette::PaletteClip& clip : palette.clips) total_s += clip.plan.duration_s;
+    return measure::measure_heat(animal, palette, container, points, total_s > 0.0 ? total_s / columns : 1.0);
 }
 
 }  // namespace
@@ -279,7 +288,7 @@ base::Result<BakedAnimal> bake_animal(const recipe::AnimalEntry& entry, std::spa
         baked.findings.push_back(base::at(entry.model, finding));
     const motion::SkinSet points = motion::unique_points(animal.value());
     std::vector<Issue> remarks;
-    std::vector<std::vector<Attempt>> attempts;
+    std::vector<std::vector<choose::Attempt>> attempts;
     auto palette = make_palette(entry, animal.value(), points, remarks, attempts);
     if (!palette) return base::at(entry.id, palette.issue());
     for (const Issue& remark : remarks) baked.findings.push_back(base::at(entry.id, remark));
@@ -295,6 +304,12 @@ base::Result<BakedAnimal> bake_animal(const recipe::AnimalEntry& entry, std::spa
         auto stats =
             measure::measure_error(animal.value(), palette.value(), baked.container, points, normals);
         if (!stats) return base::at(entry.id, stats.issue());
+        if (options.heat_columns > 0) {
+            auto heat =
+                heat_of(animal.value(), palette.value(), baked.container, points, options.heat_columns);
+            if (!heat) return base::at(entry.id, heat.issue());
+            baked.heat = std::move(heat).value();
+        }
         palette::store_errors(baked.container, stats.value().clips);
         baked.record = describe(entry, animal.value(), palette.value(), &stats.value());
         if (auto status = measure_influences(animal.value(), palette.value(), baked); !status)

@@ -3,22 +3,26 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "base/files.hpp"
 #include "base/result.hpp"
+#include "measure/error_heat.hpp"
 #include "recipe/catalog.hpp"
 #include "recipe/manifest.hpp"
 
 namespace posepack::bake {
 
 struct AnimalOptions {
-    bool strict = false;           // refuse what would be repaired
-    bool measure = true;           // measure the error of the written bytes
-    bool compare_vat = false;      // add the VRAM of the other forms to the record
-    bool allow_data_uris = false;  // read buffers that stand as base64 in the JSON
+    bool strict = false;             // refuse what would be repaired
+    bool measure = true;             // measure the error of the written bytes
+    bool compare_vat = false;        // add the VRAM of the other forms to the record
+    bool allow_data_uris = false;    // read buffers that stand as base64 in the JSON
+    std::uint32_t heat_columns = 0;  // measure errors over time and bone too, in about so many bins of time
+                                     // over all clips together; 0: not. Needs `measure`
 };
 
 struct BakedAnimal {
@@ -27,6 +31,7 @@ struct BakedAnimal {
     std::vector<base::Issue> findings;  // warnings about the model and its clips
     double bake_s = 0.0;                // read, sample, encode, write; without the measurement
     double measure_s = 0.0;
+    std::optional<measure::ErrorHeat> heat;  // of AnimalOptions::heat_columns
 };
 
 // Opens bytes that this program has just written. A refusal is our own fault, not that of a file that

@@ -87,9 +87,9 @@ recipe::BakeRecord describe(const recipe::AnimalEntry& entry, const animal::Anim
     return record;
 }
 
-std::vector<recipe::TryRecord> tried(const std::vector<Attempt>& attempts) {
+std::vector<recipe::TryRecord> tried(const std::vector<choose::Attempt>& attempts) {
     std::vector<recipe::TryRecord> out;
-    for (const Attempt& one : attempts)
+    for (const choose::Attempt& one : attempts)
         out.push_back({std::string(runs_encoding(one.encoding)), one.bytes, one.max, one.p999, one.rms,
                        one.keeps_bound});
     return out;

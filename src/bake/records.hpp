@@ -3,7 +3,7 @@
 #pragma once
 
 #include "animal/animal.hpp"
-#include "bake/choose_rows.hpp"
+#include "choose/choose_rows.hpp"
 #include "measure/measure_error.hpp"
 #include "palette/palette.hpp"
 #include "recipe/catalog.hpp"
@@ -16,7 +16,7 @@ recipe::BakeRecord describe(const recipe::AnimalEntry& entry, const animal::Anim
                             const palette::Palette& palette, const measure::ErrorStats* stats);
 
 // What was tried for a clip, for the manifest.
-std::vector<recipe::TryRecord> tried(const std::vector<Attempt>& attempts);
+std::vector<recipe::TryRecord> tried(const std::vector<choose::Attempt>& attempts);
 
 // Texture memory of all forms at these counts.
 recipe::VramRecord vram_of(std::uint64_t row_count, std::uint64_t bone_count, std::uint64_t vertex_count);

@@ -3,32 +3,23 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "bake/bake_catalog.hpp"
+#include "output/report_model.hpp"
 
 namespace posepack::bake {
 
-struct ReportRow {
-    std::string id;
-    std::string encoding, texel_format;
-    std::string rate;  // "keys" or a number in Hz
-    std::uint64_t texel_bytes = 0;
-    recipe::ErrorRecord error;
-    double decode_ns_per_vertex = 0.0;  // two rows decoded and blended, all vertices skinned, one thread
-    double bake_ms = 0.0;               // read, sample, encode; without the measurement
+struct ReportOptions {
+    std::vector<std::optional<double>> rates_hz;  // nothing: the clips' own key grids
+    bool with_heat = false;                       // maps of the error over time and bone, of the chosen rows
 };
 
-struct Report {
-    std::vector<ReportRow> rows;
-    std::vector<base::Issue> refused;  // forms that an animal cannot have: no row
-};
-
-// Bakes all six forms (mat4, affine, dualquat; RGBA32F, RGBA16F), each in its default space, at each of
-// `rates_hz` (nothing: the clips' own key grids). Animals are taken one after the other on one thread, so
-// that times can be compared. Errors: those of open_catalog, read_model and bake_animal.
-base::Result<Report> report_catalog(const CatalogSource& source,
-                                    const std::vector<std::optional<double>>& rates_hz);
+// Bakes all six forms (mat4, affine, dualquat; RGBA32F, RGBA16F), each in the space that the catalog asks
+// for, at each of the rates; and what a bake of the catalog writes, where that is not among them. Animals are
+// taken one after the other on one thread, so that times can be compared. Errors: those of open_catalog,
+// read_model and bake_animal, but for E-LIM-SIMILARITY: a form that an animal cannot have stands in
+// AnimalReport::refused.
+base::Result<output::Report> report_catalog(const CatalogSource& source, const ReportOptions& options);
 
 }  // namespace posepack::bake

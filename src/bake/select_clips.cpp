@@ -86,7 +86,7 @@ base::Result<std::vector<ClipChoice>> select_clips(const Animal& animal, const r
         for (const std::uint32_t c : found) {
             if (!taken.insert(c).second) continue;
             choices.push_back({c,
-                               {wish.rate_hz ? wish.rate_hz : entry.rate_hz, wish.wrap, wish.seam, {}},
+                               {wish.rate_hz ? wish.rate_hz : entry.rate_hz, wish.wrap, wish.seam},
                                wish.speed_mps,
                                wish.stride_phase,
                                wish.states,

@@ -3,22 +3,29 @@
 
 #include <charconv>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "bake/report.hpp"
 #include "base/text.hpp"
 #include "cli/commands.hpp"
 #include "cli/diagnostics.hpp"
 #include "cli/options.hpp"
-#include "output/text_table.hpp"
+#include "output/report_writers.hpp"
 
 namespace posepack::cli {
 namespace {
 
+enum class ReportFormat { text, csv, json, html };
+constexpr std::pair<const char*, ReportFormat> kFormats[] = {{"text", ReportFormat::text},
+                                                             {"csv", ReportFormat::csv},
+                                                             {"json", ReportFormat::json},
+                                                             {"html", ReportFormat::html}};
+
 struct Options {
     std::shared_ptr<bake::CatalogSource> source = std::make_shared<bake::CatalogSource>();
-    std::shared_ptr<Format> format = std::make_shared<Format>(Format::text);
+    std::string output;  // empty: stdout
+    std::string format;  // empty: by the output's name, else text
     std::vector<std::string> rates{"keys", "15", "30", "60"};
+    bool with_heat = false;
 };
 
 // What is wrong with one of the rates; empty where nothing is.
@@ -35,79 +42,66 @@ std::optional<double> rate_of(const std::string& text) {
     return rate_hz;
 }
 
-std::string worst_place(const recipe::ErrorRecord& error) {
-    return fmt::format("{} {:.3f} s, vertex {}, {}", base::shortened(error.clip, 24), error.time_s,
-                       error.vertex, base::shortened(error.bone, 24));
+std::optional<ReportFormat> format_named(std::string_view name) {
+    for (const auto& [known, format] : kFormats)
+        if (name == known) return format;
+    return std::nullopt;
 }
 
-output::TextTable report_table(const std::vector<bake::ReportRow>& rows) {
-    using output::Align;
-    output::TextTable table;
-    table.columns = {{"animal", Align::left},
-                     {"encoding", Align::left},
-                     {"texels", Align::left},
-                     {"rate Hz"},
-                     {"bytes"},
-                     {"max / R"},
-                     {"p99.9 / R"},
-                     {"rms / R"},
-                     {"max mm"},
-                     {"normal max deg"},
-                     {"decode ns/vertex"},
-                     {"bake ms"},
-                     {"worst place", Align::left}};
-    for (const bake::ReportRow& row : rows)
-        table.rows.push_back({row.id, row.encoding, row.texel_format, row.rate,
-                              std::to_string(row.texel_bytes), output::readable_error(row.error.max),
-                              output::readable_error(row.error.p999), output::readable_error(row.error.rms),
-                              fmt::format("{:.3g}", static_cast<double>(row.error.max_m) * 1e3),
-                              fmt::format("{:.3g}", row.error.normal_max_deg),
-                              fmt::format("{:.2f}", row.decode_ns_per_vertex),
-                              fmt::format("{:.2f}", row.bake_ms), worst_place(row.error)});
-    return table;
+// The format that --format names, else the one of the output's extension (.txt is text).
+std::optional<ReportFormat> format_of(const Options& options) {
+    if (!options.format.empty()) return format_named(options.format);
+    if (options.output.empty()) return ReportFormat::text;
+    const std::string extension = base::lowered(std::filesystem::path(options.output).extension().string());
+    if (extension == ".txt") return ReportFormat::text;
+    return extension.empty() ? std::nullopt : format_named(extension.substr(1));
 }
 
-nlohmann::json row_json(const bake::ReportRow& row) {
-    const recipe::ErrorRecord& e = row.error;
-    return {{"animal", row.id},
-            {"encoding", row.encoding},
-            {"texel_format", row.texel_format},
-            {"rate", row.rate},
-            {"bytes", row.texel_bytes},
-            {"max", base::widened(e.max)},
-            {"p999", base::widened(e.p999)},
-            {"rms", base::widened(e.rms)},
-            {"max_m", base::widened(e.max_m)},
-            {"p999_m", base::widened(e.p999_m)},
-            {"rms_m", base::widened(e.rms_m)},
-            {"normal_max_deg", base::widened(e.normal_max_deg)},
-            {"normal_p999_deg", base::widened(e.normal_p999_deg)},
-            {"normal_rms_deg", base::widened(e.normal_rms_deg)},
-            {"worst",
-             {{"clip", e.clip},
-              {"time_s", base::widened(e.time_s)},
-              {"mesh", e.mesh},
-              {"vertex", e.vertex},
-              {"bone", e.bone}}},
-            {"decode_ns_per_vertex", row.decode_ns_per_vertex},
-            {"bake_ms", row.bake_ms}};
+std::string written(const output::Report& report, ReportFormat format) {
+    switch (format) {
+        case ReportFormat::csv:
+            return report_csv(report);
+        case ReportFormat::json:
+            return report_json(report, 1) + "\n";
+        case ReportFormat::html:
+            return report_html(report);
+        case ReportFormat::text:
+            break;
+    }
+    return report_text(report);
+}
+
+// A form that an animal cannot have is a finding of the report, not its failure.
+void print_refusals(const output::Report& report) {
+    for (const output::AnimalReport& animal : report.animals)
+        for (const output::RefusedForm& form : animal.refused)
+            print_issue(base::at(form.form + ", " + form.rows, form.issue));
 }
 
 int run(const Options& options) {
-    std::vector<std::optional<double>> rates_hz;
-    for (const std::string& text : options.rates) rates_hz.push_back(rate_of(text));
-    const auto report = bake::report_catalog(*options.source, rates_hz);
+    const auto format = format_of(options);
+    if (!format)
+        return fail(
+            {base::IssueCode::usage, "--output",
+             fmt::format("expected a name that ends with .html, .csv, .json or .txt, or --format, found '{}'",
+                         options.output)});
+    bake::ReportOptions how;
+    for (const std::string& text : options.rates) how.rates_hz.push_back(rate_of(text));
+    how.with_heat = options.with_heat || *format == ReportFormat::html;
+    if (options.with_heat && *format != ReportFormat::json && *format != ReportFormat::html)
+        return fail({base::IssueCode::usage, "--heat-map",
+                     "expected it with the formats json and html, found text or csv"});
+    const auto report = bake::report_catalog(*options.source, how);
     if (!report) return fail(report.issue());
-    // A form that an animal cannot have is a finding of the report, not its failure.
-    print_issues(report.value().refused);
-    if (*options.format == Format::json) {
-        nlohmann::json list = nlohmann::json::array();
-        for (const bake::ReportRow& row : report.value().rows) list.push_back(row_json(row));
-        fmt::print("{}\n", nlohmann::json{{"schema", "posepack-report-1"}, {"rows", list}}.dump(1));
+    print_refusals(report.value());
+    const std::string text = written(report.value(), *format);
+    if (options.output.empty()) {
+        fmt::print("{}", text);
         return 0;
     }
-    const auto table = report_table(report.value().rows);
-    fmt::print("{}", *options.format == Format::csv ? format_csv(table) : format_text(table));
+    const std::span bytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+    if (const auto status = base::write_file(options.output, bytes); !status) return fail(status.issue());
+    fmt::print("wrote {} ({} bytes)\n", base::printable(options.output), text.size());
     return 0;
 }
 
@@ -116,13 +110,26 @@ int run(const Options& options) {
 Runner add_report(CLI::App& app) {
     auto options = std::make_shared<Options>();
     add_catalog_options(app, options->source);
+    add_bound_options(app, options->source);
     app.add_option("--rates", options->rates,
                    "Rates to try, in Hz, and 'keys' for each clip's own key grid (default: keys,15,30,60)")
         ->delimiter(',')
         ->allow_extra_args(false)
         ->check(rate_fault)
         ->type_name("LIST");
-    add_format_option(app, options->format, true);
+    app.add_option("-o,--output", options->output,
+                   "File to write: .html, .csv, .json or .txt (default: stdout)")
+        ->type_name("FILE");
+    app.add_option("--format", options->format,
+                   "text, csv, json, html (default: by the name of the output, else text)")
+        ->check([](const std::string& text) {
+            return format_named(text)
+                       ? std::string()
+                       : fmt::format("expected one of text, csv, json, html, found '{}'", text);
+        })
+        ->type_name("NAME");
+    app.add_flag("--heat-map", options->with_heat,
+                 "JSON: add the error over time and bone of the chosen rows (HTML always has it)");
     return [options] { return run(*options); };
 }
 

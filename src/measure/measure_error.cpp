@@ -4,11 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <set>
 
-#include "measure/bindings.hpp"
+#include "measure/lane_poses.hpp"
 #include "measure/skin_difference.hpp"
 #include "posepack/loader.h"
 
@@ -16,7 +15,6 @@ namespace posepack::measure {
 namespace {
 
 using animal::Animal;
-using motion::Affine;
 using motion::SkinSet;
 using palette::ClipError;
 
@@ -75,15 +73,6 @@ Place place_of(const Animal& animal, const SkinSet& set, std::uint32_t entry) {
     return {mesh, vertex - animal.meshes[mesh].first_vertex};
 }
 
-Affine affine_of(const float* matrix) {
-    Affine out;
-    for (int r = 0; r < 3; ++r) {
-        for (int c = 0; c < 3; ++c) out.linear[c][r] = static_cast<double>(matrix[r * 4 + c]);
-        out.translation[r] = static_cast<double>(matrix[r * 4 + 3]);
-    }
-    return out;
-}
-
 // Measures one clip after the other with buffers that are made once.
 class ClipMeter {
  public:
@@ -91,15 +80,9 @@ class ClipMeter {
               const SkinSet& points, const SkinSet& normals)
         : animal_(animal),
           palette_(palette),
-          bindings_(animal, palette.spaces),
-          points_(bindings_.bind(points)),
-          normals_(bindings_.bind(normals)),
-          view_(view),
-          bones_(animal.bones.size()),
-          blended_(animal.bones.size() * 12) {
-        difference_.values.resize(bindings_.size() * 12 * kLanes);
-        exact_.values.resize(bindings_.size() * 9 * kLanes);
-    }
+          poses_(animal, palette, view),
+          points_(poses_.bindings().bind(points)),
+          normals_(poses_.bindings().bind(normals)) {}
 
     // Errors: E-LIM-WORK, before the work is done.
     base::Result<ClipError> measure(const palette::PaletteClip& clip, Tally& tally) {
@@ -110,11 +93,13 @@ class ClipMeter {
         Worst worst_point, worst_normal;
         for (std::size_t first = 0; first < times_s.size(); first += kLanes) {
             const auto batch = std::span(times_s).subspan(first, std::min(kLanes, times_s.size() - first));
-            for (std::size_t l = 0; l < batch.size(); ++l) fill_lane(sampler, clip, batch[l], l);
-            worst_point.take(measure_points(points_, difference_, batch.size(), tally.distances, tally.sum),
-                             batch);
-            worst_normal.take(
-                measure_normals(normals_, difference_, exact_, batch.size(), tally.half_tangents), batch);
+            for (std::size_t l = 0; l < batch.size(); ++l) poses_.fill(sampler, clip, batch[l], l);
+            worst_point.take(
+                measure_points(points_, poses_.difference(), batch.size(), tally.distances, tally.sum),
+                batch);
+            worst_normal.take(measure_normals(normals_, poses_.difference(), poses_.exact(), batch.size(),
+                                              tally.half_tangents),
+                              batch);
             tally.point_samples += batch.size() * points_.size();
             tally.normal_samples += batch.size() * normals_.size();
         }
@@ -154,103 +139,38 @@ class ClipMeter {
         return {};
     }
 
-    // What the loader makes of a time, in blended_.
-    void read_pose(const palette::PaletteClip& clip, double time_s) {
-        posepack_result result = POSEPACK_OK;
-        if (clip.runs.is_empty()) {
-            const motion::RowBlend blend = clip.rows_at(time_s);
-            result = posepack_blend_row(&view_, clip.first_row + blend.row0, clip.first_row + blend.row1,
-                                        static_cast<float>(blend.factor), blended_.data());
-        } else {
-            const double phase = clip.plan.period_s > 0.0 ? time_s / clip.plan.period_s : 0.0;
-            const auto index = static_cast<std::uint32_t>(&clip - palette_.clips.data());
-            result = posepack_sample_pose(&view_, index, static_cast<float>(phase), blended_.data());
-        }
-        assert(result == POSEPACK_OK);
-        static_cast<void>(result);
-    }
-
-    // Exact matrices, and their difference to what is read, at one time.
-    void fill_lane(motion::ClipSampler& sampler, const palette::PaletteClip& clip, double time_s,
-                   std::size_t lane) {
-        sampler.sample(time_s, bones_);
-        read_pose(clip, time_s);
-        for (std::uint32_t b = 0; b < bindings_.size(); ++b) {
-            const Affine source = bindings_.source(b, bones_, sampler);
-            const Affine found =
-                bindings_.found(b, affine_of(&blended_[std::size_t{bindings_.bone_of(b)} * 12]));
-            for (int r = 0; r < 3; ++r) {
-                for (int c = 0; c < 4; ++c) {
-                    const double difference = c < 3 ? found.linear[c][r] - source.linear[c][r]
-                                                    : found.translation[r] - source.translation[r];
-                    const std::size_t e = std::size_t{b} * 12 + static_cast<std::size_t>(r * 4 + c);
-                    difference_.values[e * kLanes + lane] = static_cast<float>(difference);
-                }
-                for (int c = 0; c < 3; ++c)
-                    exact_
-                        .values[(std::size_t{b} * 9 + static_cast<std::size_t>(r * 3 + c)) * kLanes + lane] =
-                        static_cast<float>(source.linear[c][r]);
-            }
-        }
-    }
-
-    // The bone that moves the worst vertex furthest from its place, weights taken into account.
-    std::uint32_t blamed_bone(const SkinSet& set, std::uint32_t entry, bool is_point) const {
-        std::uint32_t worst = set.bones[entry][0];
-        double largest = -1.0;
-        const auto& v = set.vectors[entry];
-        for (std::size_t k = 0; k < animal::kMaxInfluences; ++k) {
-            if (set.weights[entry][k] <= 0.0f) break;
-            double square = 0.0;
-            for (std::size_t r = 0; r < 3; ++r) {
-                const float* m =
-                    &difference_.values[(std::size_t{set.bones[entry][k]} * 12 + r * 4) * kLanes];
-                double sum = is_point ? static_cast<double>(m[3 * kLanes]) : 0.0;
-                for (std::size_t c = 0; c < 3; ++c) sum += static_cast<double>(m[c * kLanes]) * v[c];
-                square += sum * sum * set.weights[entry][k] * set.weights[entry][k];
-            }
-            if (square > largest) {
-                largest = square;
-                worst = set.bones[entry][k];
-            }
-        }
-        return bindings_.bone_of(worst);
-    }
-
     void locate(motion::ClipSampler& sampler, const palette::PaletteClip& clip, const Worst& point,
                 const Worst& normal, ClipError& error) {
         if (points_.size() > 0) {
             const Place place = place_of(animal_, points_, point.entry);
-            fill_lane(sampler, clip, point.time_s, 0);
+            poses_.fill(sampler, clip, point.time_s, 0);
             const double radius = palette_.radius > 0.0 ? palette_.radius : 1.0;
             error.max = static_cast<float>(std::sqrt(static_cast<double>(point.square)) / radius);
             error.p999 = std::min(error.p999, error.max);
             error.time_s = static_cast<float>(point.time_s);
             error.mesh = place.mesh;
             error.vertex = place.vertex;
-            error.bone = blamed_bone(points_, point.entry, true);
+            error.bone = poses_.bindings().bone_of(
+                blamed_bone(points_, point.entry, poses_.difference(), 0, true));
         }
         if (normals_.size() > 0) {
             const Place place = place_of(animal_, normals_, normal.entry);
-            fill_lane(sampler, clip, normal.time_s, 0);
+            poses_.fill(sampler, clip, normal.time_s, 0);
             error.normal_max_deg =
                 static_cast<float>(degrees_of_half_tangent_square(static_cast<double>(normal.square)));
             error.normal_p999_deg = std::min(error.normal_p999_deg, error.normal_max_deg);
             error.normal_time_s = static_cast<float>(normal.time_s);
             error.normal_mesh = place.mesh;
             error.normal_vertex = place.vertex;
-            error.normal_bone = blamed_bone(normals_, normal.entry, false);
+            error.normal_bone = poses_.bindings().bone_of(
+                blamed_bone(normals_, normal.entry, poses_.difference(), 0, false));
         }
     }
 
     const Animal& animal_;
     const palette::Palette& palette_;
-    const Bindings bindings_;
+    LanePoses poses_;
     const SkinSet points_, normals_;  // with bindings in the place of bones
-    const posepack_view& view_;
-    std::vector<Affine> bones_;
-    std::vector<float> blended_;
-    LaneMatrices difference_, exact_;
     std::uint64_t samples_left_ = kMaxSamples;
 };
 

@@ -6,18 +6,6 @@
 namespace posepack::measure {
 namespace {
 
-using Lanes = std::array<float, kLanes>;
-
-// sum += weight * (m[0] x + m[1] y + m[2] z + offset), lane by lane. `m` points at three elements of a row.
-inline void add_row(const float* m, float wx, float wy, float wz, Lanes& sum) {
-    for (std::size_t l = 0; l < kLanes; ++l)
-        sum[l] += m[l] * wx + m[kLanes + l] * wy + m[2 * kLanes + l] * wz;
-}
-
-inline void add_scaled(const float* m, float w, Lanes& sum) {
-    for (std::size_t l = 0; l < kLanes; ++l) sum[l] += m[l] * w;
-}
-
 inline void keep_largest(const Lanes& value, std::uint32_t entry, LaneWorst& worst) {
     for (std::size_t l = 0; l < kLanes; ++l) {
         const bool larger = value[l] > worst.value[l];
@@ -34,21 +22,7 @@ LaneWorst measure_points(const motion::SkinSet& set, const LaneMatrices& differe
     std::array<double, kLanes> sums{};
     for (std::size_t influences = 1; influences + 1 < set.first.size(); ++influences)
         for (std::uint32_t i = set.first[influences]; i < set.first[influences + 1]; ++i) {
-            Lanes x{}, y{}, z{}, square{};
-            for (std::size_t k = 0; k < influences; ++k) {
-                const float* m = &difference.values[std::size_t{set.bones[i][k]} * 12 * kLanes];
-                const float w = set.weights[i][k];
-                const float wx = w * set.vectors[i][0];
-                const float wy = w * set.vectors[i][1];
-                const float wz = w * set.vectors[i][2];
-                add_row(m, wx, wy, wz, x);
-                add_scaled(m + 3 * kLanes, w, x);
-                add_row(m + 4 * kLanes, wx, wy, wz, y);
-                add_scaled(m + 7 * kLanes, w, y);
-                add_row(m + 8 * kLanes, wx, wy, wz, z);
-                add_scaled(m + 11 * kLanes, w, z);
-            }
-            for (std::size_t l = 0; l < kLanes; ++l) square[l] = x[l] * x[l] + y[l] * y[l] + z[l] * z[l];
+            const Lanes square = squared_distances(set, i, influences, difference);
             for (std::size_t l = 0; l < kLanes; ++l) sums[l] += static_cast<double>(square[l]);
             keep_largest(square, i, worst);
             for (std::size_t l = 0; l < lane_count; ++l) histogram.add(square[l]);

@@ -43,7 +43,7 @@ struct RowWish {
     recipe::Seam seam = recipe::Seam::automatic;
     // Fraction of R: ends further apart than this are not taken for closed, however small a part of a key
     // step that is. Nothing: they may be, with a remark.
-    std::optional<double> largest_gap;
+    std::optional<double> largest_gap{};
 };
 
 // Chooses rows, wrap and seam of a clip. A loop whose ends meet (gap below 1e-3 R) is closed; one whose gap

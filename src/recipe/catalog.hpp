@@ -42,7 +42,7 @@ struct OutputOptions {
     Space space = Space::automatic;
     std::uint32_t influences = 4;  // that a vertex keeps: 4 or 8
     UnusedBones unused_bones = UnusedBones::keep;
-    std::optional<ErrorBound> bound;  // form and rows are chosen by it; `encoding` then says nothing
+    std::optional<ErrorBound> bound{};  // form and rows are chosen by it; `encoding` then says nothing
 
     bool is_normalised() const {
         return space == Space::normalised ||
@@ -58,9 +58,9 @@ struct OutputOverrides {
     std::optional<RowPitch> row_pitch;
     std::optional<Caps> caps;
     std::optional<Space> space;
-    std::optional<std::uint32_t> influences;
-    std::optional<UnusedBones> unused_bones;
-    std::optional<ErrorBound> bound;
+    std::optional<std::uint32_t> influences{};
+    std::optional<UnusedBones> unused_bones{};
+    std::optional<ErrorBound> bound{};
 };
 
 // One wish for clips of an animal: a name, or a pattern with * and ?.
@@ -70,9 +70,9 @@ struct ClipWish {
     std::optional<double> rate_hz;    // settled; nothing: the clip's own key grid
     Wrap wrap = Wrap::automatic;
     Seam seam = Seam::automatic;
-    double speed_mps = 0.0;           // ground speed at rate 1; 0: not stated
-    double stride_phase = 0.0;        // phase of the first foot contact, 0..1
-    std::optional<ErrorBound> bound;  // of this clip alone; needs a bound of the animal
+    double speed_mps = 0.0;             // ground speed at rate 1; 0: not stated
+    double stride_phase = 0.0;          // phase of the first foot contact, 0..1
+    std::optional<ErrorBound> bound{};  // of this clip alone; needs a bound of the animal
 };
 
 // State name -> keywords, in order of preference: the first clip whose name holds the keyword plays it.

@@ -17,10 +17,10 @@ OUTPUT_OPTIONS = {"--encoding", "--texel-format", "--texel-order", "--row-pitch"
 OPTIONS = {
     "bake": CATALOG_OPTIONS | OUTPUT_OPTIONS | {
         "--output", "--strict", "--allow-data-uris", "--keep-going", "--compare-vat", "--no-measure", "--no-fsync", "--jobs",
-        "--lock-timeout", "--format"},
-    "report": CATALOG_OPTIONS | {"--rates", "--format"},
+        "--lock-timeout", "--format", "--max-error", "--p999-error", "--rms-error"},
+    "report": CATALOG_OPTIONS | {"--rates", "--output", "--format", "--heat-map", "--max-error", "--p999-error", "--rms-error"},
     "compare": CATALOG_OPTIONS | {"--rate", "--copies", "--format"},
-    "inspect": {"--bones", "--row", "--clip", "--bone", "--format"},
+    "inspect": {"--bones", "--row", "--phase", "--clip", "--bone", "--format"},
     "verify": {"--strict", "--format"},
     "export": {"--exr", "--output"},
     "menagerie": {"--only", "--animals", "--birds", "--seed", "--statistics", "--toy"},
@@ -29,7 +29,7 @@ GLOBAL_OPTIONS = {"--version", "--json-errors", "--quiet"}
 
 
 def _options_in(text):
-    return set(re.findall(r"(?<![\w-])--[a-z][a-z-]*", text)) - {"--help"}
+    return set(re.findall(r"(?<![\w-])--[a-z][a-z0-9-]*", text)) - {"--help"}
 
 
 # Help and version

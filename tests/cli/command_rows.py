@@ -3,7 +3,6 @@
 
 import csv
 import io
-import itertools
 import json
 import os
 import re
@@ -36,10 +35,15 @@ def _inspect(case):
     matrix = case.run("inspect", "out/elk.posepack", "--row", 0, "--bone", "root")
     case.equal([line.split() for line in matrix.stdout.splitlines()[1:]],
                [["1", "0", "0", "0.5"], ["0", "1", "0", "0"], ["0", "0", "1", "0"]], "matrix as text")
+    case.equal(case.inspect("out/elk.posepack", "--clip", "Run", "--phase", 0, "--bone", "head")["matrix"],
+               case.inspect("out/elk.posepack", "--clip", "Run", "--row", 0, "--bone", "head")["matrix"],
+               "phase 0 is row 0")
     for options, mention in ((("--row", 90), "89"), (("--row", 99999999999), "row"),
                              (("--row", 0, "--bone", "tail"), "tail"), (("--row", 0, "--bone", 3), "0 to 2"),
                              (("--row", 0, "--clip", "Swim"), "Swim"), (("--row", -1), "row"),
-                             (("--clip", "Walk"), "--row"), (("--bone", 1), "--row")):
+                             (("--clip", "Walk"), "--row"), (("--bone", 1), "--row"),
+                             (("--phase", 0.5), "--clip"), (("--phase", 2, "--clip", "Run"), "0 to 1"),
+                             (("--phase", 0, "--row", 0, "--clip", "Run"), "both")):
         case.expect_refused(case.run("inspect", "out/elk.posepack", *options), 1, "E-USAGE", (mention,))
 
 
@@ -102,32 +106,6 @@ def _goat_on_disk(case):
         spare = (-record["row_count"] % shown["rows_per_line"]) * 53 * 4 * (16 if texels == "rgba32f" else 8)
         case.equal(record["texel_bytes"] - spare, GOAT_BYTES[form],
                    f"texels of {form} without the last line's spare")
-
-
-def _report(case):
-    catalog = deer(case)
-    shown = case.run("report", catalog, "--rates", "keys,15", "--format", "json").json()
-    keys = {"animal", "encoding", "texel_format", "rate", "bytes", "max", "p999", "rms", "max_m",
-            "p999_m", "rms_m", "normal_max_deg",
-            "normal_p999_deg", "normal_rms_deg", "worst", "decode_ns_per_vertex", "bake_ms"}
-    case.equal(len(shown["rows"]), 12, "rows of three encodings, two formats and two rates")
-    for row in shown["rows"]:
-        case.equal(set(row), keys, "keys of a row")
-        case.equal(set(row["worst"]), {"clip", "time_s", "mesh", "vertex", "bone"}, "keys of the worst place")
-        case.check(row["bake_ms"] > 0 and row["decode_ns_per_vertex"] > 0,
-                   f"times: expected them above 0, found {row}")
-    by_form = {(row["encoding"], row["texel_format"], row["rate"]): row for row in shown["rows"]}
-    for encoding, texels in itertools.product(("mat4", "affine", "dualquat"), ("rgba16f", "rgba32f")):
-        at_keys, at_15 = by_form[encoding, texels, "keys"], by_form[encoding, texels, "15"]
-        case.check(at_15["max"] > 2 * at_keys["max"],
-                   f"{encoding} {texels}: half the rate, expected a larger error")
-        case.check(at_15["bytes"] < at_keys["bytes"],
-                   f"{encoding} {texels}: half the rate, expected fewer bytes")
-    table = list(csv.DictReader(io.StringIO(case.run("report", catalog, "--rates", "keys", "--format",
-                                                     "csv").stdout)))
-    case.equal([row["animal"] for row in table], ["deer"] * 6, "csv")
-    text = case.run("report", catalog)
-    case.equal((text.exit_code, text.stdout.count("deer")), (0, 24), "exit code and lines of text")
 
 
 def _export(case):
@@ -217,7 +195,6 @@ ROWS = [
     Row("B14", "compare: the published bytes of the goat", _compare_goat),
     Row("B14b", "menagerie --animals: a herd that bakes by its own catalog", _bake_herd),
     Row("B15", "bake: the published bytes of the goat", _goat_on_disk),
-    Row("B16", "report: json, csv, text", _report),
     Row("B17", "export --exr: file and attributes", _export),
     Row("B18", "--quiet and --json-errors", _remarks),
     Row("B19", "hostile names do not reach the terminal", _hostile_names),

@@ -27,11 +27,12 @@ import manifest_rows
 import matrix_rows
 import mutation_rows
 import repair_rows
+import report_rows
 import storage_rows
 from harness import Case, Skip
 
 MODULES = [glb_rows, storage_rows, matrix_rows, repair_rows, limit_rows, catalog_rows, container_rows, manifest_rows,
-           environment_rows, behaviour_rows, command_rows, doctor_rows, mutation_rows]
+           environment_rows, behaviour_rows, command_rows, report_rows, doctor_rows, mutation_rows]
 
 
 class Settings:

@@ -15,7 +15,7 @@ FLOORS = {
     "animal": 2, "menagerie": 2,
     "motion": 3,
     "palette": 4, "vat": 4,
-    "measure": 5,
+    "measure": 5, "fit": 5,
     "choose": 6,
     "output": 7,
     "bake": 8,

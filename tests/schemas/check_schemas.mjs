@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Checks every catalog of catalogs/ and tests/data, the cases of catalog_cases.json, the manifest that the first
-// program given prints, and what `posepack doctor` says of a good and of two refused models, against the schemas.
+// program given prints, what `posepack doctor` says of a good and of two refused models, and what `posepack report`
+// says of a good one, against the schemas.
 // node check_schemas.mjs SAMPLE_MANIFEST_PROGRAM POSEPACK [MANIFEST...]
 import { execFileSync, spawnSync } from 'node:child_process';
 import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -44,6 +45,13 @@ function expectStrictObjects(validate, label, json) {
         delete value.unknown_key;
     };
     visit(json, '');
+}
+
+// Calls `look(object, place)` with every object inside `value`.
+function visitObjects(value, look, place = '') {
+    if (value === null || typeof value !== 'object') return;
+    for (const [key, member] of Object.entries(value)) visitObjects(member, look, `${place}/${key}`);
+    if (!Array.isArray(value)) look(value, place);
 }
 
 function jsonFilesIn(folder) {
@@ -113,9 +121,57 @@ for (const [label, json] of diagnosed) {
     }
 }
 
+// A generated animal with its heat map, and another without.
+function reports(program) {
+    const folder = mkdtempSync(join(tmpdir(), 'posepack-schemas-'));
+    try {
+        execFileSync(program, ['menagerie', folder, '--only', 'goat,viper'], { stdio: 'ignore' });
+        const catalog = join(root, 'catalogs', 'menagerie.json');
+        const report = (id, ...options) => [`report ${id}`, JSON.parse(execFileSync(program,
+            ['report', catalog, '--models', folder, '--only', id, '--rates', 'keys', '--format', 'json', ...options],
+            { encoding: 'utf8', maxBuffer: 1 << 26 }))];
+        return [report('goat', '--heat-map'), report('viper')];
+    } finally {
+        rmSync(folder, { recursive: true });
+    }
+}
+
+// An animal that could not have a form: the same report with a refusal of the shape that the program writes.
+function withRefusal([label, json]) {
+    const { form, rows } = json.animals[0].rows[0];
+    const issue = { code: 'E-LIM-SIMILARITY', severity: 'error', where: 'goat', detail: 'expected a, found b',
+        advice: 'another encoding', exit_code: 6 };
+    const refused = [{ form, rows, issue }];
+    return [`${label} with a refusal`, { ...json, animals: [{ ...json.animals[0], refused }] }];
+}
+
+const validateReport = compile('report-1.schema.json');
+const reported = posepack ? reports(posepack) : [];
+for (const [label, json] of reported.flatMap((report) => [report, withRefusal(report)])) {
+    expectValidity(validateReport, label, json, true);
+    // One of each kind is enough, and a heat map has thousands of numbers.
+    const animal = json.animals[0];
+    const heat = animal.heat_map && { bones: animal.heat_map.bones,
+        clips: animal.heat_map.clips.slice(0, 1).map((clip) => ({ ...clip, errors: clip.errors.slice(0, 2) })) };
+    const small = { ...json, totals: json.totals.slice(0, 1), animals: [{ ...animal, rows: animal.rows.slice(0, 1),
+        clips: animal.clips.slice(0, 1), heat_map: heat }] };
+    expectValidity(validateReport, `${label}, cut`, small, true);
+    visitObjects(small, (object, place) => {
+        for (const key of Object.keys(object)) {
+            const value = object[key];
+            delete object[key];
+            expectValidity(validateReport, `${label}: without ${place}/${key}`, small, false);
+            object[key] = value;
+        }
+        object.unknown_key = 1;
+        expectValidity(validateReport, `${label}: ${place}/unknown_key`, small, false);
+        delete object.unknown_key;
+    });
+}
+
 console.log(`${catalogs.length} catalogs, ${cases.length} cases, ${manifests.length} manifests, ` +
-    `${diagnosed.length} diagnoses: ${checks} checks, ${failures} failures`);
+    `${diagnosed.length} diagnoses, ${reported.length} reports: ${checks} checks, ${failures} failures`);
 const sawAll = catalogs.length > 0 && cases.length > 0 && manifests.length > 0 &&
-    diagnosed.length > 0;
+    diagnosed.length > 0 && reported.length > 0;
 if (!sawAll) console.log('expected at least one of each');
 process.exit(failures === 0 && sawAll ? 0 : 1);

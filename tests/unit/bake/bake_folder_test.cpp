@@ -2,6 +2,7 @@
 // Whole catalogs: what is published, what verify says of it, and of what was changed since.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 
 #include "bake/bake_catalog.hpp"
@@ -274,22 +275,54 @@ TEST_F(Folder, CompareSumsCopies) {
 
 TEST_F(Folder, ReportHasARowForEveryFormAndRate) {
     source.only = {"tail"};
-    const auto report = report_catalog(source, {std::nullopt, 10.0});
+    const auto report = report_catalog(source, {{std::nullopt, 10.0}});
     ASSERT_TRUE(report);
-    ASSERT_EQ(report.value().rows.size(), 8u);
-    ASSERT_EQ(report.value().refused.size(), 4u) << "a tail that stretches has no dual quaternions";
-    EXPECT_EQ(report.value().refused[0].code, base::IssueCode::lim_similarity);
-    std::set<std::string> forms;
-    for (const ReportRow& row : report.value().rows) {
-        forms.insert(row.encoding + row.texel_format + row.rate);
-        EXPECT_EQ(row.id, "tail");
+    ASSERT_EQ(report.value().animals.size(), 1u);
+    const output::AnimalReport& tail = report.value().animals[0];
+    EXPECT_EQ(tail.id, "tail");
+    ASSERT_EQ(tail.rows.size(), 8u);
+    ASSERT_EQ(tail.refused.size(), 4u) << "a tail that stretches has no dual quaternions";
+    EXPECT_EQ(tail.refused[0].issue.code, base::IssueCode::lim_similarity);
+    EXPECT_EQ(tail.refused[0].form, "dualquat rgba32f");
+    std::set<std::string> schemes;
+    for (const output::ReportRow& row : tail.rows) {
+        schemes.insert(row.form + row.rows);
         EXPECT_TRUE(row.error.measured);
         EXPECT_GT(row.error.max, 0.0f);
         EXPECT_GT(row.decode_ns_per_vertex, 0.0);
+        EXPECT_GT(row.fetches, 0u);
+        EXPECT_GT(row.alu_operations, 0u);
         EXPECT_GT(row.bake_ms, 0.0);
-        EXPECT_GT(row.texel_bytes, 0u);
+        EXPECT_GT(row.bytes, 0u);
+        EXPECT_EQ(row.is_chosen, row.form == "affine rgba16f" && row.rows == "keys");
     }
-    EXPECT_EQ(forms.size(), 8u);
+    EXPECT_EQ(schemes.size(), 8u);
+    EXPECT_EQ(tail.clips.size(), 3u);
+    EXPECT_FALSE(tail.heat) << "nobody asked for it";
+}
+
+TEST_F(Folder, ReportNamesBonesAndClipsOfTheHeat) {
+    source.only = {"tail"};
+    const auto report = report_catalog(source, {{10.0}, true});
+    ASSERT_TRUE(report);
+    const output::AnimalReport& tail = report.value().animals.at(0);
+    const output::ReportRow* chosen = chosen_row(tail);
+    ASSERT_TRUE(chosen && tail.heat);
+    EXPECT_EQ(tail.rows.size(), 5u) << "four forms at 10 Hz, and the catalog's own on the key grids";
+    EXPECT_EQ(chosen->rows, "keys");
+    ASSERT_EQ(tail.heat->clips.size(), tail.clips.size());
+    float largest = 0.0f;
+    for (std::size_t c = 0; c < tail.clips.size(); ++c) {
+        const output::HeatClip& clip = tail.heat->clips[c];
+        EXPECT_EQ(clip.name, tail.clips[c].name);
+        ASSERT_EQ(clip.errors.size(), (clip.edges_s.size() - 1) * tail.heat->bones.size());
+        const float worst = *std::max_element(clip.errors.begin(), clip.errors.end());
+        EXPECT_EQ(worst, tail.clips[c].error.max);
+        largest = std::max(largest, worst);
+    }
+    EXPECT_EQ(largest, chosen->error.max);
+    EXPECT_NE(std::find(tail.heat->bones.begin(), tail.heat->bones.end(), chosen->error.bone),
+              tail.heat->bones.end());
 }
 
 }  // namespace

@@ -213,13 +213,15 @@ TEST(Normals, AnglesRiseToTheStraightOne) {
     EXPECT_EQ(histogram.count(), 6u) << "only the lanes asked for";
 }
 
-motion::RowPlan plan_of(std::uint32_t row_count, double period_s, double duration_s, recipe::Wrap wrap) {
+palette::PaletteClip plan_of(std::uint32_t row_count, double period_s, double duration_s, recipe::Wrap wrap) {
     motion::RowPlan plan;
     plan.row_count = row_count;
     plan.period_s = period_s;
     plan.duration_s = duration_s;
     plan.wrap = wrap;
-    return plan;
+    palette::PaletteClip clip;
+    clip.plan = plan;
+    return clip;
 }
 
 TEST(TestTimes, AreRowsKeysAndMidpoints) {
@@ -229,6 +231,15 @@ TEST(TestTimes, AreRowsKeysAndMidpoints) {
     EXPECT_EQ(test_times_s(plan_of(2, 1, 1, recipe::Wrap::loop), {}),
               (std::vector<double>{0.0, 0.25, 0.5, 0.75, 1.0}));
     EXPECT_EQ(test_times_s(plan_of(1, 0, 0, recipe::Wrap::once), {}), (std::vector<double>{0.0}));
+}
+
+TEST(TestTimes, AreTheRowsOfEveryRun) {
+    palette::PaletteClip clip = plan_of(5, 1, 1, recipe::Wrap::once);
+    clip.runs.entries = {0u, 2u << POSEPACK_RUN_OFFSET_BITS, 3u << POSEPACK_RUN_OFFSET_BITS};
+    const std::vector<double> times = test_times_s(clip, {});
+    const std::vector<double> expected{0.0, 1.0 / 6, 1.0 / 3, 5.0 / 12, 0.5, 7.0 / 12, 2.0 / 3, 5.0 / 6, 1.0};
+    ASSERT_EQ(times.size(), expected.size());
+    for (std::size_t i = 0; i < times.size(); ++i) EXPECT_NEAR(times[i], expected[i], 1e-12);
 }
 
 TEST(TestTimes, LeaveTheGapOfAnOpenLoopOut) {

@@ -158,8 +158,9 @@ TEST(CanonicalJson, LeavesOutIdAndPath) {
         deer.canonical_json,
         R"({"clips":[],"default_state":"","forward":"+z","keywords":{"attack":["attack","bite"],)"
         R"("flee":["run","gallop"],"idle":["idle"],"wander":["walk"]},"metres_per_unit":1.0,)"
-        R"("output":{"caps":"webgl2","encoding":"affine","influences":4,"row_pitch":"tight","space":"normalised",)"
-        R"("texel_format":"rgba16f","texel_order":"bone-major","unused_bones":"keep"},"rate_hz":"keys"})");
+        R"("output":{"bound":null,"caps":"webgl2","encoding":"affine","influences":4,"row_pitch":"tight",)"
+        R"("space":"normalised","texel_format":"rgba16f","texel_order":"bone-major","unused_bones":"keep"},)"
+        R"("rate_hz":"keys"})");
 }
 
 TEST(CanonicalJson, DependsOnWhatIsBakedAndNotOnHowItIsWritten) {

@@ -42,6 +42,8 @@ inline ClipRecord sample_clip(std::string name, std::string wrap, std::uint32_t 
     clip.interpolation = "linear";
     clip.seam_gap = 1e-7f;
     clip.speed_mps = 1.4f;
+    clip.encoding = "affine";
+    clip.tried = {{"affine", 240, 0.03f, 0.01f, 0.002f, false}, {"affine", 480, 0.01f, 0.004f, 0.001f, true}};
     return clip;
 }
 
@@ -56,6 +58,7 @@ inline BakeRecord sample_record(const std::string& id) {
     record.model_sha256 = std::string(64, '0');
     record.recipe_sha256 = std::string(64, '9');
     record.encoding = "affine";
+    record.row_scheme = "runs";
     record.texel_format = "rgba16f";
     record.texel_order = "bone-major";
     record.bone_count = 53;

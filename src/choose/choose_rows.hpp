@@ -15,7 +15,7 @@
 #include "palette/encode.hpp"
 #include "palette/palette.hpp"
 
-namespace posepack::bake {
+namespace posepack::choose {
 
 // One try: what it was, its size and its measured error. The last that keeps the bound with the fewest bytes
 // is taken.
@@ -69,9 +69,9 @@ class RowChooser {
 //   attempts  receives what was tried for each clip
 //   aids  for rounding; the length of dual quaternions is set
 // Errors: E-LIM-BOUND, E-LIM-ROWS, E-LIM-CONTAINER, those of measure_error.
-base::Status choose_palette_rows(const animal::Animal& animal, const motion::SkinSet& points,
-                                 const std::vector<fit::Limits>& bounds, std::uint8_t texel_format,
-                                 palette::RoundingAids& aids, palette::Palette& palette,
-                                 std::vector<std::vector<Attempt>>& attempts);
+base::Status choose_rows(const animal::Animal& animal, const motion::SkinSet& points,
+                         const std::vector<fit::Limits>& bounds, std::uint8_t texel_format,
+                         palette::RoundingAids& aids, palette::Palette& palette,
+                         std::vector<std::vector<Attempt>>& attempts);
 
-}  // namespace posepack::bake
+}  // namespace posepack::choose

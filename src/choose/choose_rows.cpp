@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bake/choose_rows.hpp"
+#include "choose/choose_rows.hpp"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@
 #include "palette/container_writer.hpp"
 #include "posepack/format.h"
 
-namespace posepack::bake {
+namespace posepack::choose {
 namespace {
 
 using fit::BoneRows;
@@ -255,10 +255,10 @@ base::Result<ChosenRows> RowChooser::choose(std::uint32_t index, fit::Form form,
     return best;
 }
 
-base::Status choose_palette_rows(const animal::Animal& animal, const motion::SkinSet& points,
-                                 const std::vector<Limits>& bounds, std::uint8_t texel_format,
-                                 palette::RoundingAids& aids, palette::Palette& palette,
-                                 std::vector<std::vector<Attempt>>& attempts) {
+base::Status choose_rows(const animal::Animal& animal, const motion::SkinSet& points,
+                         const std::vector<Limits>& bounds, std::uint8_t texel_format,
+                         palette::RoundingAids& aids, palette::Palette& palette,
+                         std::vector<std::vector<Attempt>>& attempts) {
     std::vector<fit::Form> forms;
     double largest_change = 0.0;
     for (const PaletteClip& clip : palette.clips) {
@@ -313,4 +313,4 @@ base::Status choose_palette_rows(const animal::Animal& animal, const motion::Ski
     return {};
 }
 
-}  // namespace posepack::bake
+}  // namespace posepack::choose
