@@ -67,7 +67,12 @@ async function examine(name, glb, container) {
         const isSame = await isWithin(animal, container);
         return { fault: isSame ? 'no difference is left, the exceptions say otherwise' : '', note: exception.because };
     }
-    const result = compareAnimal(animal, container);
+    let result;
+    try {
+        result = compareAnimal(animal, container);
+    } catch (error) {
+        return { fault: `cannot be compared: ${error.message}` };
+    }
     const limit = exception.limit ?? LARGEST_ERROR;
     if (result.matrices === 0) return { fault: 'nothing to compare', result };
     if (!(result.worst.error <= limit)) return { fault: `more than ${limit} R`, result };

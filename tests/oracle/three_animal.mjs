@@ -101,7 +101,8 @@ export class ThreeAnimal {
                 normalizeRotations(track);
             }
         this.root = new THREE.Group();
-        this.root.add(...gltf.scenes);
+        // posepack reads the nodes of all scenes, and those of none.
+        this.root.add(...gltf.scenes, ...nodes.filter((node) => node.parent === null));
         this.mixer = new THREE.AnimationMixer(this.root);
         this.rest = [];
         this.root.traverse((object) => {
