@@ -32,6 +32,7 @@
 #define POSEPACK_MAX_STRING_BYTES 255u
 
 #define POSEPACK_NONE 0xFFFFFFFFu /* "no such index" in every u32 index field */
+#define POSEPACK_NO_BONE 0xFFFFu  /* joint map: a joint that moves no vertex and has no bone */
 #define POSEPACK_MIXED 255u       /* header encoding and row scheme where clips differ */
 
 /* The first 16 bytes (magic, major, minor, header_bytes) never change. */

@@ -163,7 +163,11 @@ typedef struct posepack_bone {
     uint32_t node;   /* glTF node index */
 } posepack_bone;
 
-/* A skinned mesh of the model. Its vertices enter the palette by palette_from_mesh. */
+/*
+ * A mesh of the model. Its vertices enter the palette by palette_from_mesh, in every space: in model space
+ * too it may be another matrix than the identity (a skin that shares the bones of another; format, section
+ * 7).
+ */
 typedef struct posepack_mesh {
     posepack_string name;
     uint32_t node, mesh, skin; /* glTF indices */
@@ -234,7 +238,11 @@ posepack_result posepack_get_space(const posepack_view* view, posepack_space* sp
 /* Skinned mesh `index` < space.mesh_count. OK, ARG or INDEX. */
 posepack_result posepack_get_mesh(const posepack_view* view, uint32_t index, posepack_mesh* mesh);
 
-/* The bone that joint `joint` (a value of JOINTS_0) of mesh `mesh_index` reads. OK, ARG, INDEX. */
+/*
+ * The bone that joint `joint` (a value of JOINTS_0) of mesh `mesh_index` reads. OK, ARG or INDEX; NOT_FOUND,
+ * and POSEPACK_NONE in *bone, for a joint that was left out of the palette because no vertex has a weight on
+ * it: where a vertex names it with weight 0, any bone will do.
+ */
 posepack_result posepack_map_joint(const posepack_view* view, uint32_t mesh_index, uint32_t joint,
                                    uint32_t* bone);
 

@@ -59,6 +59,11 @@ class AccessorReader {
     // Bytes of the BIN chunk.
     std::size_t stored_bytes() const { return gltf_.bin.size(); }
 
+    // Counts `count` elements of `element_bytes` that are made of what was read. Errors: E-LIM-DECODED.
+    base::Status take(std::uint64_t count, std::uint64_t element_bytes) {
+        return budget_.take(count, element_bytes);
+    }
+
     // Decodes the primitive of KHR_draco_mesh_compression in a buffer view. Errors: as above.
     base::Result<DracoMesh> read_draco(int view_index, const DracoLimits& limits);
 

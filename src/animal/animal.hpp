@@ -20,7 +20,11 @@
 namespace posepack::animal {
 
 inline constexpr std::uint32_t kNone = 0xFFFFFFFFu;
-inline constexpr std::size_t kMaxInfluences = 4;
+inline constexpr std::uint16_t kNoBone = 0xFFFFu;  // in a joint map: nothing moves by this joint
+// Of a vertex, at most; ReadOptions says how many of them are kept.
+inline constexpr std::size_t kMaxInfluences = 8;
+using InfluenceBones = std::array<std::uint16_t, kMaxInfluences>;
+using InfluenceWeights = std::array<float, kMaxInfluences>;
 
 // Translation, rotation (unit quaternion x, y, z, w) and scale of a node, relative to its parent.
 struct Transform {
@@ -59,40 +63,62 @@ struct Clip {
     double duration_s = 0.0;  // from the first key to the last
 };
 
-// A palette column: the matrix node_global x inverse_bind.
+// A palette column: the matrix node_global x inverse_bind (x the X of the skin where that is folded).
 struct Bone {
     std::string name;
     std::uint32_t node = 0;
     std::uint32_t parent = kNone;  // bone of the nearest ancestor node that has one
     glm::dmat4 inverse_bind{1.0};
-    bool weighted = false;  // some vertex has a weight on it
+    bool weighted = false;  // some vertex of the file has a weight on it, kept or left out
+};
+
+// A skin whose inverse binds are those of other bones times one matrix X, within the rounding of floats: its
+// vertices enter by X and share the bones.
+struct Fold {
+    glm::dmat4 bind_from_mesh{1.0};         // X: mesh space to the space that the bones bind; floats
+    std::vector<glm::dmat4> inverse_binds;  // of each joint, as the file has them
 };
 
 // A node that draws a mesh: with a skin, and then its own transform is ignored (glTF 2.0 section 3.7.3.3);
-// or, in a model without any skin, rigidly with one bone of its own.
+// or rigidly, with one bone of its own, or that of a joint if it is one.
 struct Mesh {
     std::string name;
     std::uint32_t node = 0, mesh = 0;                // glTF indices
     std::uint32_t skin = kNone;                      // glTF index; kNone for a rigid mesh
     std::uint32_t first_joint = 0, joint_count = 0;  // into Animal::joint_map
     std::uint32_t first_vertex = 0, vertex_count = 0;
+    std::uint32_t fold = kNone;  // into Animal::folds; kNone: bones bind the mesh as it is
 };
 
 // The vertices of all meshes, primitive by primitive; arrays run in step.
 struct Vertices {
     std::vector<std::array<float, 3>> positions;
     std::vector<std::array<float, 3>> normals;  // zero where the primitive has none
-    std::vector<std::array<std::uint16_t, kMaxInfluences>> bones;
-    std::vector<std::array<float, kMaxInfluences>> weights;  // falling, sum 1; unused ones zero
+    std::vector<InfluenceBones> bones;
+    std::vector<InfluenceWeights> weights;  // falling, sum 1; unused ones zero
+};
+
+// All influences of the vertices that have more than were kept, to measure what leaving some out costs.
+struct ReducedVertices {
+    std::vector<std::uint32_t> vertices;  // rising
+    std::vector<std::uint32_t> first;     // of each, where its influences begin
+    std::vector<std::uint16_t> bones;
+    std::vector<float> weights;  // of each vertex falling, sum 1
+
+    std::uint32_t end_of(std::size_t index) const {
+        return index + 1 < first.size() ? first[index + 1] : static_cast<std::uint32_t>(bones.size());
+    }
 };
 
 struct Animal {
     std::vector<Node> nodes;                // in glTF order
     std::vector<std::uint32_t> node_order;  // parents before children
-    std::vector<Bone> bones;                // in the order of the skins' joints, equal pairs once
-    std::vector<std::uint16_t> joint_map;   // bone of each (mesh's skin, joint)
+    std::vector<Bone> bones;                // of the skins' joints in their order, then of rigid meshes
+    std::vector<std::uint16_t> joint_map;   // bone of each (mesh's skin, joint), or kNoBone
     std::vector<Mesh> meshes;
+    std::vector<Fold> folds;
     Vertices vertices;
+    ReducedVertices reduced;
     std::vector<Clip> clips;
     std::vector<float> key_times;  // seconds, of all channels
     std::vector<float> key_values;

@@ -15,6 +15,7 @@ inline constexpr std::uint64_t kMaxGlbBytes = 512ull << 20;
 struct ReadOptions {
     bool strict = false;           // refuse what would be repaired
     bool allow_data_uris = false;  // read buffers that stand as base64 in the JSON
+    std::size_t influences = 4;    // of a vertex that are kept: the largest; 1 to kMaxInfluences
 };
 
 // Reads the GLB in `bytes` (glTF 2.0, section 4.4). Buffers come from the BIN chunk alone (and from data URIs

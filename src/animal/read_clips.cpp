@@ -2,13 +2,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <optional>
 #include <tuple>
 #include <unordered_map>
 
+#include "animal/animation_target.hpp"
+#include "animal/morph_findings.hpp"
 #include "animal/names.hpp"
 #include "animal/read_parts.hpp"
 #include "base/text.hpp"
@@ -67,13 +68,6 @@ base::Status check_rotations(std::span<float> values, bool cubic, const Place& p
         }
     }
     return {};
-}
-
-std::optional<Path> path_of(const std::string& name) {
-    if (name == "translation") return Path::translation;
-    if (name == "rotation") return Path::rotation;
-    if (name == "scale") return Path::scale;
-    return std::nullopt;
 }
 
 // Reads samplers once each, though many channels may share their times.
@@ -192,29 +186,6 @@ class Targets {
     std::vector<std::uint32_t> channels_;
 };
 
-// What a channel of the file aims at.
-struct Aim {
-    int node = -1, sampler = -1;
-    Path path = Path::translation;
-};
-
-// "/nodes/3/rotation" of KHR_animation_pointer; nothing for every other pointer.
-std::optional<Aim> aim_of(const PointerChannel& channel) {
-    constexpr std::string_view kNodes = "/nodes/";
-    std::string_view text = channel.pointer;
-    if (!text.starts_with(kNodes)) return std::nullopt;
-    text.remove_prefix(kNodes.size());
-    Aim aim;
-    aim.sampler = channel.sampler;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), aim.node);
-    if (error != std::errc() || aim.node < 0 || end == text.data() + text.size() || *end != '/')
-        return std::nullopt;
-    const auto path = path_of(std::string(end + 1, text.data() + text.size()));
-    if (!path) return std::nullopt;
-    aim.path = *path;
-    return aim;
-}
-
 // Reads the channels of one clip after the other.
 class ClipReader {
  public:
@@ -226,8 +197,9 @@ class ClipReader {
         for (std::size_t c = 0; c < channels.size(); ++c) {
             const auto path = path_of(channels[c].target_path);
             if (!path || channels[c].target_node < 0) {
-                // Pointers follow below.
-                if (channels[c].target_path != "pointer") ++repairs.left_out;
+                // Pointers follow below; weights of morph targets are noted by themselves.
+                const std::string& name = channels[c].target_path;
+                if (name != "pointer" && name != "weights") ++repairs.left_out;
                 continue;
             }
             const Aim aim{channels[c].target_node, channels[c].sampler, *path};
@@ -237,7 +209,7 @@ class ClipReader {
             if (pointer.animation != index) continue;
             const auto aim = aim_of(pointer);
             if (!aim)
-                ++repairs.left_out;
+                repairs.left_out += aims_at_weights(pointer.pointer) ? 0 : 1;
             else if (auto status = read_channel(index, *aim, pointer.channel, clip, repairs); !status)
                 return status;
         }
@@ -323,13 +295,15 @@ base::Status measure_span(const Animal& animal, const std::string& where, Clip& 
     return {};
 }
 
-base::Status refuse_without_clips(const tinygltf::Model& model) {
+base::Status refuse_without_clips(const tinygltf::Model& model, std::span<const PointerChannel> pointers) {
     bool morphs = false;
     for (const auto& animation : model.animations)
         for (const auto& channel : animation.channels) morphs = morphs || channel.target_path == "weights";
+    for (const PointerChannel& pointer : pointers) morphs = morphs || aims_at_weights(pointer.pointer);
     if (morphs)
         return Issue{IssueCode::glb_morph_only, "animations",
-                     "expected a channel that moves a node, found morph targets only"};
+                     "expected a channel that moves a node, found morph targets only: those need a vertex "
+                     "animation texture (VAT)"};
     return Issue{IssueCode::glb_no_animation, "animations",
                  fmt::format("expected a channel that moves a node, found none in {} animations",
                              model.animations.size())};
@@ -362,12 +336,13 @@ base::Status read_clips(ReadContext& context) {
         if (auto s = measure_span(context.animal, where, clip); !s) return s;
         context.animal.clips.push_back(std::move(clip));
     }
-    if (context.animal.clips.empty()) return refuse_without_clips(context.model());
+    if (context.animal.clips.empty())
+        return refuse_without_clips(context.model(), context.accessors.facts().pointers);
+    note_morph_channels(context);
     if (left_out > 0)
         context.note(
             IssueCode::warn_left_out, "animations",
-            fmt::format("{} channels that move no node (morph weights, pointers) are not in the palette",
-                        left_out));
+            fmt::format("{} that move no node: not in the palette", base::counted(left_out, "channel")));
     std::vector<std::string> source_names;
     for (const Clip& clip : context.animal.clips) source_names.push_back(clip.source_name);
     const std::vector<std::string> names = clip_names(source_names);

@@ -30,32 +30,31 @@ base::Status report_repairs(ReadContext& context, const WeightRepairs& repairs, 
     return context.repair(
         IssueCode::warn_influences, IssueCode::glb_weights, where,
         fmt::format(
-            "expected at most 4 influences, found {} with more: up to {:.3g} of a vertex's weight dropped",
-            base::counted(repairs.truncated, "vertex", "vertices"), repairs.truncated_weight_max));
+            "expected at most {} influences, found {} with more, up to {}: at most {:.3g} of a vertex's "
+            "weight left out",
+            context.options.influences, base::counted(repairs.truncated, "vertex", "vertices"),
+            repairs.influences_most, repairs.truncated_weight_max));
 }
 
 base::Status append(ReadContext& context, const Primitive& primitive, const std::string& where) {
+    constexpr std::size_t kInfluenceBytes = sizeof(InfluenceBones) + sizeof(InfluenceWeights);
+    if (auto s = context.accessors.take(primitive.positions.size(), kInfluenceBytes); !s)
+        return base::at(where, s.issue());
     Vertices& vertices = context.animal.vertices;
     const std::size_t first = vertices.positions.size();
     vertices.positions.insert(vertices.positions.end(), primitive.positions.begin(),
                               primitive.positions.end());
     vertices.normals.insert(vertices.normals.end(), primitive.normals.begin(), primitive.normals.end());
     const auto repairs =
-        reduce_weights(primitive.bones, primitive.weights, primitive.influences,
-                       std::span(vertices.positions).subspan(first), context.neighbour_tests_left, vertices);
+        reduce_weights(primitive.bones, primitive.weights, primitive.influences, context.options.influences,
+                       std::span(vertices.positions).subspan(first), context.neighbour_tests_left, vertices,
+                       context.animal.reduced);
     return report_repairs(context, repairs, where);
 }
 
-// Primitives without joints under a skinned node, and everything else a palette cannot move.
+// What a palette cannot move.
 void note_left_out(ReadContext& context) {
     const auto& model = context.model();
-    std::uint32_t rigid_meshes = 0;
-    for (const auto& node : model.nodes) rigid_meshes += node.mesh >= 0 && node.skin < 0 ? 1 : 0;
-    const bool is_rigid = !context.animal.meshes.empty() && context.animal.meshes.front().skin == kNone;
-    if (rigid_meshes > 0 && !is_rigid)
-        context.note(IssueCode::warn_left_out, "nodes",
-                     fmt::format("{} without a skin: not in the palette",
-                                 base::counted(rigid_meshes, "rigid mesh", "rigid meshes")));
     std::uint32_t morphed = 0;
     for (const auto& mesh : model.meshes)
         for (const auto& primitive : mesh.primitives) morphed += primitive.targets.empty() ? 0 : 1;
@@ -94,6 +93,7 @@ base::Status read_meshes(ReadContext& context) {
     for (std::size_t v = 0; v < vertices.bones.size(); ++v)
         for (std::size_t i = 0; i < kMaxInfluences; ++i)
             if (vertices.weights[v][i] > 0.0f) context.animal.bones[vertices.bones[v][i]].weighted = true;
+    for (const std::uint16_t bone : context.animal.reduced.bones) context.animal.bones[bone].weighted = true;
     note_left_out(context);
     return {};
 }

@@ -26,8 +26,8 @@ struct ReadContext {
 // Errors: E-GLB-REFERENCE, E-GLB-NODE-LOOP, E-GLB-QUAT, E-GLB-IBM, E-LIM-COUNT, E-LIM-NODE-DEPTH.
 base::Status read_nodes(ReadContext& context);
 
-// Bones, joint map and meshes (without vertices) of every node that has a mesh and a skin; of every node that
-// has a mesh where no node has a skin. Errors: E-GLB-REFERENCE, E-GLB-SKIN-JOINT, E-GLB-IBM, E-GLB-IBM-COUNT,
+// Bones, joint map and meshes (without vertices) of every node that has a mesh and a skin, and of those that
+// move a mesh rigidly. Errors: E-GLB-REFERENCE, E-GLB-SKIN-JOINT, E-GLB-IBM, E-GLB-IBM-COUNT,
 // E-LIM-BONES.
 base::Status read_skins(ReadContext& context);
 

@@ -133,6 +133,9 @@ class PrimitiveReader {
     base::Status read_influences() {
         std::size_t sets = 1;
         while (sets < kMaxInfluenceSets && accessor_of(source_, kJoints[sets]) >= 0) ++sets;
+        if (accessor_of(source_, "JOINTS_4") >= 0)
+            context_.note(IssueCode::warn_left_out, place({}).text(),
+                          fmt::format("influences beyond {}: not read", kMaxInfluenceSets * 4));
         out_.influences = sets * 4;
         out_.bones.resize(out_.positions.size() * out_.influences);
         out_.weights.resize(out_.positions.size() * out_.influences);

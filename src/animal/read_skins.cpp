@@ -4,8 +4,10 @@
 #include <cmath>
 #include <map>
 
+#include "animal/bind_skins.hpp"
 #include "animal/names.hpp"
 #include "animal/read_parts.hpp"
+#include "animal/read_rigid_meshes.hpp"
 
 namespace posepack::animal {
 namespace {
@@ -13,11 +15,11 @@ namespace {
 using base::Issue;
 using base::IssueCode;
 
-constexpr std::size_t kMaxBones = 1'024;
 constexpr double kAffineTolerance = 1e-5;
 
 struct SkinBones {
     std::uint32_t first_joint = 0, joint_count = 0;
+    std::uint32_t fold = kNone;
 };
 
 base::Result<std::vector<glm::dmat4>> read_inverse_binds(ReadContext& context, const tinygltf::Skin& skin,
@@ -46,32 +48,14 @@ base::Result<std::vector<glm::dmat4>> read_inverse_binds(ReadContext& context, c
     return matrices;
 }
 
-// Finds the bone of an equal (joint, inverse bind) pair, or adds one.
-std::uint32_t bone_of(Animal& animal, std::multimap<std::uint32_t, std::uint32_t>& by_node,
-                      std::uint32_t node, const glm::dmat4& inverse_bind) {
-    const auto [first, last] = by_node.equal_range(node);
-    for (auto it = first; it != last; ++it)
-        if (animal.bones[it->second].inverse_bind == inverse_bind) return it->second;
-    Bone bone;
-    bone.name = animal.nodes[node].name;
-    bone.node = node;
-    bone.inverse_bind = inverse_bind;
-    animal.bones.push_back(bone);
-    const auto index = static_cast<std::uint32_t>(animal.bones.size() - 1);
-    by_node.emplace(node, index);
-    return index;
-}
-
-base::Result<SkinBones> read_skin(ReadContext& context, int index,
-                                  std::multimap<std::uint32_t, std::uint32_t>& by_node) {
+base::Result<SkinBones> read_skin(ReadContext& context, int index, SkinBinder& binder) {
     const std::string where = fmt::format("skins/{}", index);
     const tinygltf::Skin& skin = context.model().skins[static_cast<std::size_t>(index)];
     Animal& animal = context.animal;
     if (skin.joints.empty()) return Issue{IssueCode::glb_skin_joint, where, "expected joints, found none"};
     const auto inverse_binds = read_inverse_binds(context, skin, static_cast<std::size_t>(index), where);
     if (!inverse_binds) return inverse_binds.issue();
-    SkinBones bones{static_cast<std::uint32_t>(animal.joint_map.size()),
-                    static_cast<std::uint32_t>(skin.joints.size())};
+    std::vector<std::uint32_t> nodes;
     for (std::size_t j = 0; j < skin.joints.size(); ++j) {
         const int node = skin.joints[j];
         if (node < 0 || static_cast<std::size_t>(node) >= animal.nodes.size())
@@ -79,13 +63,15 @@ base::Result<SkinBones> read_skin(ReadContext& context, int index,
                 IssueCode::glb_skin_joint, where,
                 fmt::format("expected joints below {}, the count of nodes, found node {} as joint {}",
                             animal.nodes.size(), node, j)};
-        const std::uint32_t bone =
-            bone_of(animal, by_node, static_cast<std::uint32_t>(node), inverse_binds.value()[j]);
-        if (bone >= kMaxBones)
-            return Issue{IssueCode::lim_bones, where,
-                         fmt::format("expected at most {} bones together, found more", kMaxBones)};
-        animal.joint_map.push_back(static_cast<std::uint16_t>(bone));
+        nodes.push_back(static_cast<std::uint32_t>(node));
     }
+    const auto bound = binder.bind(nodes, inverse_binds.value());
+    if (!bound)
+        return Issue{IssueCode::lim_bones, where,
+                     fmt::format("expected at most {} bones together, found more", kMaxBones)};
+    const SkinBones bones{static_cast<std::uint32_t>(animal.joint_map.size()),
+                          static_cast<std::uint32_t>(nodes.size()), bound->fold};
+    animal.joint_map.insert(animal.joint_map.end(), bound->bones.begin(), bound->bones.end());
     return bones;
 }
 
@@ -99,45 +85,9 @@ void link_parents(Animal& animal) {
             bone.parent = bone_of_node[n];
 }
 
-// A model without any skin moves its meshes with their nodes: one bone a node, whose matrix is the node's own
-// global transform, because the vertices are in the space of the node.
-base::Status read_rigid_meshes(ReadContext& context) {
-    const auto& model = context.model();
-    Animal& animal = context.animal;
-    for (std::size_t n = 0; n < model.nodes.size(); ++n) {
-        const int mesh_index = model.nodes[n].mesh;
-        const std::string where = fmt::format("nodes/{}", n);
-        if (mesh_index < 0) continue;
-        if (static_cast<std::size_t>(mesh_index) >= model.meshes.size())
-            return Issue{
-                IssueCode::glb_reference, where,
-                fmt::format("expected one of {} meshes, found index {}", model.meshes.size(), mesh_index)};
-        if (animal.bones.size() >= kMaxBones)
-            return Issue{IssueCode::lim_bones, where,
-                         fmt::format("expected at most {} nodes with a mesh, found more", kMaxBones)};
-        Bone bone;
-        bone.name = animal.nodes[n].name;
-        bone.node = static_cast<std::uint32_t>(n);
-        animal.bones.push_back(std::move(bone));
-        auto name =
-            usable_name(model.meshes[static_cast<std::size_t>(mesh_index)].name, animal.nodes[n].name);
-        if (!name) return base::at(fmt::format("meshes/{}", mesh_index), name.issue());
-        Mesh mesh;
-        mesh.name = std::move(name).value();
-        mesh.node = static_cast<std::uint32_t>(n);
-        mesh.mesh = static_cast<std::uint32_t>(mesh_index);
-        mesh.first_joint = static_cast<std::uint32_t>(animal.joint_map.size());
-        mesh.joint_count = 1;
-        animal.joint_map.push_back(static_cast<std::uint16_t>(animal.bones.size() - 1));
-        animal.meshes.push_back(std::move(mesh));
-    }
-    return {};
-}
-
-base::Status read_skinned_meshes(ReadContext& context) {
+base::Status read_skinned_meshes(ReadContext& context, SkinBinder& binder) {
     const auto& model = context.model();
     std::map<int, SkinBones> skins;
-    std::multimap<std::uint32_t, std::uint32_t> by_node;
     for (std::size_t n = 0; n < model.nodes.size(); ++n) {
         const tinygltf::Node& node = model.nodes[n];
         const std::string where = fmt::format("nodes/{}", n);
@@ -151,7 +101,7 @@ base::Status read_skinned_meshes(ReadContext& context) {
                 IssueCode::glb_reference, where,
                 fmt::format("expected one of {} skins, found index {}", model.skins.size(), node.skin)};
         if (!skins.contains(node.skin)) {
-            const auto bones = read_skin(context, node.skin, by_node);
+            const auto bones = read_skin(context, node.skin, binder);
             if (!bones) return bones.issue();
             skins.emplace(node.skin, bones.value());
         }
@@ -166,6 +116,7 @@ base::Status read_skinned_meshes(ReadContext& context) {
         mesh.skin = static_cast<std::uint32_t>(node.skin);
         mesh.first_joint = bones.first_joint;
         mesh.joint_count = bones.joint_count;
+        mesh.fold = bones.fold;
         context.animal.meshes.push_back(std::move(mesh));
     }
     return {};
@@ -174,9 +125,9 @@ base::Status read_skinned_meshes(ReadContext& context) {
 }  // namespace
 
 base::Status read_skins(ReadContext& context) {
-    if (auto status = read_skinned_meshes(context); !status) return status;
-    if (context.animal.meshes.empty())
-        if (auto status = read_rigid_meshes(context); !status) return status;
+    SkinBinder binder(context.animal);
+    if (auto status = read_skinned_meshes(context, binder); !status) return status;
+    if (auto status = read_rigid_meshes(context, binder); !status) return status;
     link_parents(context.animal);
     return {};
 }

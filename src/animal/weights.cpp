@@ -57,11 +57,22 @@ void gather(std::span<const std::uint16_t> bones, std::span<const float> weights
             std::swap(out[k], out[k - 1]);
 }
 
+// Adds all influences of a vertex, `sum` of whose weights is not one.
+void remember(std::size_t vertex, const std::vector<Influence>& found, double sum, ReducedVertices& reduced) {
+    reduced.vertices.push_back(static_cast<std::uint32_t>(vertex));
+    reduced.first.push_back(static_cast<std::uint32_t>(reduced.bones.size()));
+    for (const Influence& f : found) {
+        reduced.bones.push_back(f.bone);
+        reduced.weights.push_back(static_cast<float>(f.weight / sum));
+    }
+}
+
 }  // namespace
 
 WeightRepairs reduce_weights(std::span<const std::uint16_t> bones, std::span<const float> weights,
-                             std::size_t influences, std::span<const std::array<float, 3>> positions,
-                             std::uint64_t& tests_left, Vertices& out) {
+                             std::size_t influences, std::size_t keep,
+                             std::span<const std::array<float, 3>> positions, std::uint64_t& tests_left,
+                             Vertices& out, ReducedVertices& reduced) {
     WeightRepairs repairs;
     const std::size_t count = positions.size();
     const std::size_t first = out.bones.size();
@@ -75,17 +86,19 @@ WeightRepairs reduce_weights(std::span<const std::uint16_t> bones, std::span<con
         double sum = 0.0;
         for (const Influence& f : found) sum += f.weight;
         if (!bad && !found.empty() && std::abs(sum - 1.0) > kSumTolerance) ++repairs.sum_not_one;
-        if (found.size() > kMaxInfluences) {
+        if (found.size() > keep) {
             ++repairs.truncated;
+            repairs.influences_most = std::max(repairs.influences_most, found.size());
+            remember(first + v, found, sum, reduced);
             double dropped = 0.0;
-            for (std::size_t i = kMaxInfluences; i < found.size(); ++i) dropped += found[i].weight / sum;
+            for (std::size_t i = keep; i < found.size(); ++i) dropped += found[i].weight / sum;
             repairs.truncated_weight_max = std::max(repairs.truncated_weight_max, dropped);
-            found.resize(kMaxInfluences);
+            found.resize(keep);
             sum = 0.0;
             for (const Influence& f : found) sum += f.weight;
         }
-        std::array<std::uint16_t, kMaxInfluences> vertex_bones{};
-        std::array<float, kMaxInfluences> vertex_weights{};
+        InfluenceBones vertex_bones{};
+        InfluenceWeights vertex_weights{};
         for (std::size_t i = 0; i < found.size(); ++i) {
             vertex_bones[i] = found[i].bone;
             vertex_weights[i] = static_cast<float>(found[i].weight / sum);

@@ -10,6 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "animal/read_animal.hpp"
+#include "animal/unused_bones.hpp"
+#include "bake/influences.hpp"
 #include "bake/records.hpp"
 #include "bake/select_clips.hpp"
 #include "base/sha256.hpp"
@@ -220,7 +222,8 @@ base::Result<Palette> make_palette(const recipe::AnimalEntry& entry, const Anima
         entry.output.bound ? clip_limits(entry, choices.value(), palette) : std::vector<fit::Limits>{};
     if (auto status = plan_clips(animal, choices.value(), bounds, points, palette, findings); !status)
         return status.issue();
-    if (entry.output.is_normalised()) palette.spaces = choose_spaces(animal, palette);
+    palette.spaces =
+        entry.output.is_normalised() ? choose_spaces(animal, palette) : palette::model_space(animal);
     palette::RoundingAids aids;
     aids.halves = palette.spaces.normalised ? palette::Halves::normal : palette::Halves::all;
     aids.moments = palette::bone_moments(points, palette.spaces, animal.bones.size(), palette.reach());
@@ -249,6 +252,10 @@ base::Result<Palette> make_palette(const recipe::AnimalEntry& entry, const Anima
     return palette;
 }
 
+animal::ReadOptions read_options(const recipe::AnimalEntry& entry, const AnimalOptions& options) {
+    return {options.strict, options.allow_data_uris, entry.output.influences};
+}
+
 // Bins of equal width over all clips, `columns` of them in all.
 base::Result<measure::ErrorHeat> heat_of(const Animal& animal, const Palette& palette,
                                          std::span<const std::uint8_t> container,
@@ -274,8 +281,9 @@ base::Result<BakedAnimal> bake_animal(const recipe::AnimalEntry& entry, std::spa
     const Stopwatch bake_watch;
     BakedAnimal baked;
     const base::Sha256 glb_digest = base::sha256(glb);
-    auto animal = animal::read_animal(glb, {options.strict, options.allow_data_uris});
+    auto animal = animal::read_animal(glb, read_options(entry, options));
     if (!animal) return base::at(entry.model, animal.issue());
+    if (entry.output.unused_bones == recipe::UnusedBones::drop) animal::drop_unused_bones(animal.value());
     for (const Issue& finding : animal.value().findings)
         baked.findings.push_back(base::at(entry.model, finding));
     const motion::SkinSet points = motion::unique_points(animal.value());
@@ -304,6 +312,8 @@ base::Result<BakedAnimal> bake_animal(const recipe::AnimalEntry& entry, std::spa
         }
         palette::store_errors(baked.container, stats.value().clips);
         baked.record = describe(entry, animal.value(), palette.value(), &stats.value());
+        if (auto status = measure_influences(animal.value(), palette.value(), baked); !status)
+            return base::at(entry.id, status.issue());
     } else {
         baked.record = describe(entry, animal.value(), palette.value(), nullptr);
     }

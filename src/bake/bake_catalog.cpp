@@ -53,6 +53,8 @@ std::string options_text(const CatalogSource& source, const AnimalOptions& optio
     if (o.texel_format) json["texel_format"] = name_of(*o.texel_format);
     if (o.texel_order) json["texel_order"] = name_of(*o.texel_order);
     if (o.row_pitch) json["row_pitch"] = name_of(*o.row_pitch);
+    if (o.influences) json["influences"] = *o.influences;
+    if (o.unused_bones) json["unused_bones"] = name_of(*o.unused_bones);
     if (o.bound) json["bound"] = nlohmann::json::parse(bound_json(*o.bound));
     if (o.caps) json["caps"] = name_of(*o.caps);
     if (source.rate_hz) json["rate_hz"] = *source.rate_hz;

@@ -208,6 +208,8 @@ recipe::BakeRecord record_of(const recipe::BakeRecord& listed, std::span<const s
     record.error = measured && !record.clips.empty()
                        ? pooled_error(listed.error, record.clips, record.radius_m)
                        : recipe::ErrorRecord{};
+    record.reduction.max_m = metres(record.reduction.max, record.radius_m);
+    record.reduction.rms_m = metres(record.reduction.rms, record.radius_m);
     if (record.has_vram) record.vram = vram_of(record.row_count, record.bone_count, record.vertex_count);
     return record;
 }

@@ -175,6 +175,15 @@ output::DiagnosedBake bake_of(const recipe::BakeRecord& record) {
     bake.error_max = static_cast<double>(record.error.max);
     bake.error_max_m = static_cast<double>(record.error.max_m);
     bake.worst_clip = record.error.clip;
+    if (record.reduction.measured) {
+        bake.reduced_vertex_count = record.reduction.vertex_count;
+        bake.influences_most = record.reduction.influences_most;
+        bake.reduction_max_m = static_cast<double>(record.reduction.max_m);
+        bake.reduction_max = static_cast<double>(record.reduction.max);
+        bake.reduction_rms_m = static_cast<double>(record.reduction.rms_m);
+        bake.reduction_rms = static_cast<double>(record.reduction.rms);
+        bake.reduction_clip = record.reduction.clip;
+    }
     return bake;
 }
 

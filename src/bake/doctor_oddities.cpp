@@ -55,7 +55,7 @@ void look_at_armature(Diagnosis& diagnosis) {
             "winding.");
 }
 
-void look_at_skins(const animal::FileFacts& facts, Diagnosis& diagnosis) {
+void look_at_skins(const Animal& animal, const animal::FileFacts& facts, Diagnosis& diagnosis) {
     std::size_t unbound = 0;
     std::size_t unused = 0;
     for (const animal::SkinFacts& skin : facts.skins) {
@@ -68,11 +68,17 @@ void look_at_skins(const animal::FileFacts& facts, Diagnosis& diagnosis) {
             "origin "
             "when the mesh was bound.",
             counted(unbound, "skin"));
+    if (const std::size_t folded = animal.folds.size(); folded > 0)
+        add(diagnosis, "folded-skins",
+            "{} whose bind pose is that of another, moved as a whole: the two share their bones, so that the "
+            "palette is smaller.",
+            counted(folded, "skin"));
     if (unused > 0) add(diagnosis, "unused-skin", "{} that no mesh uses.", counted(unused, "skin"));
     const auto bones = diagnosis.skeleton->unused_bones.size();
     if (bones > 0)
         add(diagnosis, "unused-bones",
-            "{} move no vertex (control or helper bones); they stay in the palette and cost memory.",
+            "{} move no vertex (control or helper bones); they stay in the palette and cost memory, unless "
+            "--unused-bones drop leaves them out.",
             counted(bones, "bone"));
 }
 
@@ -150,7 +156,10 @@ void look_at_size(Diagnosis& diagnosis) {
             largest);
 }
 
-void look_at_file(const animal::FileFacts& facts, Diagnosis& diagnosis) {
+void look_at_file(const Animal& animal, const animal::FileFacts& facts, Diagnosis& diagnosis) {
+    const auto rigid_parts = static_cast<std::size_t>(
+        std::count_if(animal.meshes.begin(), animal.meshes.end(),
+                      [](const animal::Mesh& mesh) { return mesh.skin == animal::kNone; }));
     if (facts.scene_count > 1)
         add(diagnosis, "several-scenes", "It has {} scenes; nodes of all of them are read.",
             facts.scene_count);
@@ -158,6 +167,10 @@ void look_at_file(const animal::FileFacts& facts, Diagnosis& diagnosis) {
         add(diagnosis, "outside-images",
             "{} outside the file: textures are never opened, so nothing is missing for a bake.",
             counted(facts.outside_image_count, "image"));
+    if (facts.skinned_node_count > 0 && rigid_parts > 0)
+        add(diagnosis, "rigid-parts",
+            "{} beside the skinned ones (weapons, antlers): each moves with a bone of its own.",
+            counted(rigid_parts, "rigid model part"));
     if (facts.skinned_node_count == 0 && !facts.rigid_nodes.empty())
         add(diagnosis, "no-skin", "It has no skin: every node with a mesh becomes a bone of its own.");
 }
@@ -166,8 +179,8 @@ void look_at_file(const animal::FileFacts& facts, Diagnosis& diagnosis) {
 
 void find_oddities(const Animal& animal, Diagnosis& diagnosis) {
     if (diagnosis.facts) {
-        look_at_file(*diagnosis.facts, diagnosis);
-        look_at_skins(*diagnosis.facts, diagnosis);
+        look_at_file(animal, *diagnosis.facts, diagnosis);
+        look_at_skins(animal, *diagnosis.facts, diagnosis);
     }
     look_at_armature(diagnosis);
     look_at_mesh_nodes(animal, diagnosis);

@@ -95,6 +95,25 @@ output::TextTable bones_table(const posepack_view& view) {
     return table;
 }
 
+// The bones that move no vertex, and how many joints have none: what --unused-bones keeps or drops.
+void print_unused(const posepack_view& view) {
+    constexpr std::uint32_t kMostNames = 16;
+    std::uint32_t unused = 0;
+    std::string names;
+    for (std::uint32_t b = 0; b < view.header.bone_count; ++b) {
+        posepack_bone bone;
+        if (posepack_get_bone(&view, b, &bone) != POSEPACK_OK) continue;
+        if ((bone.flags & POSEPACK_BONE_FLAG_WEIGHTED) != 0) continue;
+        if (unused++ < kMostNames)
+            names += (unused > 1 ? ", " : "") + base::shortened(text_of(bone.name), 40);
+    }
+    if (unused > kMostNames) names += fmt::format(" and {} more", unused - kMostNames);
+    if (unused > 0) fmt::print("unused    {} without a vertex: {}\n", base::counted(unused, "bone"), names);
+    if (const std::uint64_t left_out = output::joints_without_bone(view); left_out > 0)
+        fmt::print("unused    {} without a bone: left out, no vertex moves by them\n",
+                   base::counted(left_out, "joint"));
+}
+
 void print_summary(const posepack_view& view, const Options& options) {
     const posepack_header& h = view.header;
     fmt::print("{}: format {}.{} (draft), {} bytes, bake ABI {}\n", options.container, h.major, h.minor,
@@ -103,6 +122,7 @@ void print_summary(const posepack_view& view, const Options& options) {
                output::encoding_name(h.encoding), output::texel_format_name(h.texel_format),
                output::texel_order_name(h.texel_order), h.bone_count, h.row_count, h.texture_width_texels,
                h.texture_height_texels, h.row_pitch_bytes);
+    print_unused(view);
     fmt::print("radius R  {:.4g} m\nrecipe    {}\nsections ", h.radius_m, base::hexadecimal(h.recipe_sha256));
     for (std::uint32_t s = 0; s < h.section_count; ++s) {
         std::string type;

@@ -15,6 +15,7 @@ using recipe::RowPitch;
 using recipe::Space;
 using recipe::TexelFormat;
 using recipe::TexelOrder;
+using recipe::UnusedBones;
 
 // An option that takes one of the values' names and sets an optional of the overrides.
 template <class Enum>
@@ -111,6 +112,19 @@ void add_output_options(CLI::App& app, const std::shared_ptr<bake::CatalogSource
                {RowPitch::tight, RowPitch::align256});
     add_choice(app, "--caps", "Largest texture: 4096 or 16384 texels a side", source,
                &recipe::OutputOverrides::caps, {Caps::webgl2, Caps::desktop});
+    app.add_option_function<std::string>(
+           "--influences",
+           [source](const std::string& text) {
+               if (text != "4" && text != "8")
+                   throw CLI::ValidationError("--influences",
+                                              fmt::format("expected 4 or 8, found '{}'", text));
+               source->overrides.influences = text == "4" ? 4u : 8u;
+           },
+           "Joints a vertex keeps, the largest weights: 4, 8 (default: 4)")
+        ->group("Output")
+        ->type_name("N");
+    add_choice(app, "--unused-bones", "Bones that move no vertex", source,
+               &recipe::OutputOverrides::unused_bones, {UnusedBones::keep, UnusedBones::drop});
     app.add_option("--rate", source->rate_hz,
                    "Rows a second for every clip (default: each clip's own key grid)")
         ->check(number_between(1.0, 1000.0))

@@ -14,7 +14,8 @@ namespace posepack::cli {
 // CATALOG, --models, --only.
 void add_catalog_options(CLI::App& app, const std::shared_ptr<bake::CatalogSource>& source);
 
-// --encoding, --texel-format, --texel-order, --row-pitch, --caps, --rate: they beat the catalog.
+// --encoding, --space, --texel-format, --texel-order, --row-pitch, --caps, --influences, --unused-bones,
+// --rate: they beat the catalog.
 void add_output_options(CLI::App& app, const std::shared_ptr<bake::CatalogSource>& source);
 
 // --max-error, --p999-error, --rms-error: form and rows are chosen by a bound.

@@ -159,7 +159,8 @@ static int bones_are_valid(const posepack_view* view, table_counts* counts) {
     if (!posepack_all_zero(bones.data + POSEPACK_BONE_HEAD_RESERVED, 4)) return 0;
     if (bones.size != joints_offset + ((2 * counts->joints + 3u) & ~3u)) return 0;
     for (i = 0; i < counts->joints; ++i) {
-        if (posepack_read_u16(bones.data + joints_offset + 2 * i) >= bone_count) return 0;
+        const uint32_t bone = posepack_read_u16(bones.data + joints_offset + 2 * i);
+        if (bone >= bone_count && bone != POSEPACK_NO_BONE) return 0;
     }
     for (i = 0; i < bone_count; ++i) {
         const uint8_t* record = bone_record(bones, i);

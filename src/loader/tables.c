@@ -274,6 +274,10 @@ posepack_result posepack_map_joint(const posepack_view* view, uint32_t mesh_inde
     found =
         posepack_read_u16(bones.data + POSEPACK_BONE_HEAD_BYTES +
                           view->header.bone_count * POSEPACK_BONE_RECORD_BYTES + 2 * (first_joint + joint));
+    if (found == POSEPACK_NO_BONE) {
+        *bone = POSEPACK_NONE;
+        return POSEPACK_ERROR_NOT_FOUND;
+    }
     if (found >= view->header.bone_count) return POSEPACK_ERROR_INDEX;
     *bone = found;
     return POSEPACK_OK;

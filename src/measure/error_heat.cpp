@@ -43,20 +43,23 @@ Bins bins_of(std::vector<double> times_s, double bin_width_s) {
 }
 
 // Takes the squared distances of every point at the times of `batch` into `squares` [bin * bones + bone].
-void take_points(const SkinSet& set, const LaneMatrices& difference, std::span<const std::size_t> batch_bins,
+void take_points(const SkinSet& set, const LanePoses& poses, std::span<const std::size_t> batch_bins,
                  std::size_t bone_count, std::vector<float>& squares) {
+    const LaneMatrices& difference = poses.difference();
     for (std::size_t influences = 1; influences + 1 < set.first.size(); ++influences)
         for (std::uint32_t i = set.first[influences]; i < set.first[influences + 1]; ++i) {
             const Lanes square = squared_distances(set, i, influences, difference);
             for (std::size_t l = 0; l < batch_bins.size(); ++l) {
                 float* cells = &squares[batch_bins[l] * bone_count];
                 // Finding the bone to blame costs more than the distance: only where some cell may grow.
-                const auto may_grow = [&](std::uint16_t bone) { return square[l] > cells[bone]; };
+                const auto may_grow = [&](std::uint16_t binding) {
+                    return square[l] > cells[poses.bindings().bone_of(binding)];
+                };
                 const auto& bones = set.bones[i];
                 if (std::none_of(bones.begin(), bones.begin() + static_cast<std::ptrdiff_t>(influences),
                                  may_grow))
                     continue;
-                float& cell = cells[blamed_bone(set, i, difference, l, true)];
+                float& cell = cells[poses.bindings().bone_of(blamed_bone(set, i, difference, l, true))];
                 cell = std::max(cell, square[l]);
             }
         }
@@ -72,7 +75,7 @@ ClipHeat clip_heat(LanePoses& poses, motion::ClipSampler& sampler, const palette
             poses.fill(sampler, clip, bins.times_s[first + l], l);
             lane_bins[l] = bins.bin_of(first + l);
         }
-        take_points(points, poses.difference(), std::span(lane_bins).first(lanes), bone_count, heat.errors);
+        take_points(points, poses, std::span(lane_bins).first(lanes), bone_count, heat.errors);
     }
     for (float& value : heat.errors)
         value = static_cast<float>(std::sqrt(static_cast<double>(value)));
@@ -93,7 +96,7 @@ base::Result<ErrorHeat> measure_heat(const animal::Animal& animal, const palette
                         posepack_result_name(result))};
     const double inverse_radius = palette.radius > 0.0 ? 1.0 / palette.radius : 1.0;
     LanePoses poses(animal, palette, view, inverse_radius);
-    const SkinSet scaled = in_radii(points, inverse_radius);
+    const SkinSet bound = in_radii(poses.bindings().bind(points), inverse_radius);
     ErrorHeat heat{static_cast<std::uint32_t>(animal.bones.size()), {}};
     std::uint64_t samples = 0;
     for (const palette::PaletteClip& clip : palette.clips) {
@@ -105,7 +108,7 @@ base::Result<ErrorHeat> measure_heat(const animal::Animal& animal, const palette
                 base::IssueCode::lim_work, animal.clips[clip.source].name,
                 fmt::format("expected at most {} places (times x vertices) to measure, found {}", kMaxSamples,
                             samples)};
-        heat.clips.push_back(clip_heat(poses, sampler, clip, bins, scaled, animal.bones.size()));
+        heat.clips.push_back(clip_heat(poses, sampler, clip, bins, bound, animal.bones.size()));
     }
     return heat;
 }

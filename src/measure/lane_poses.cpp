@@ -27,9 +27,14 @@ motion::SkinSet in_radii(motion::SkinSet points, double inverse_radius) {
 
 LanePoses::LanePoses(const animal::Animal& animal, const palette::Palette& palette, const posepack_view& view,
                      double inverse_radius)
-    : palette_(palette), view_(view), inverse_radius_(inverse_radius), bones_(animal.bones.size()), blended_(animal.bones.size() * 12) {
-    difference_.values.resize(animal.bones.size() * 12 * kLanes);
-    exact_.values.resize(animal.bones.size() * 9 * kLanes);
+    : palette_(palette),
+      bindings_(animal, palette.spaces),
+      view_(view),
+      inverse_radius_(inverse_radius),
+      bones_(animal.bones.size()),
+      blended_(animal.bones.size() * 12) {
+    difference_.values.resize(bindings_.size() * 12 * kLanes);
+    exact_.values.resize(bindings_.size() * 9 * kLanes);
 }
 
 void LanePoses::read_pose(const palette::PaletteClip& clip, double time_s) {
@@ -51,19 +56,21 @@ void LanePoses::fill(motion::ClipSampler& sampler, const palette::PaletteClip& c
                      std::size_t lane) {
     sampler.sample(time_s, bones_);
     read_pose(clip, time_s);
-    for (std::size_t b = 0; b < bones_.size(); ++b) {
-        const Affine found = palette_.spaces.leave(b, affine_of(&blended_[b * 12]));
+    for (std::uint32_t b = 0; b < bindings_.size(); ++b) {
+        const Affine source = bindings_.source(b, bones_, sampler);
+        const Affine found =
+            bindings_.found(b, affine_of(&blended_[std::size_t{bindings_.bone_of(b)} * 12]));
         for (int r = 0; r < 3; ++r) {
             for (int c = 0; c < 4; ++c) {
-                const double difference = c < 3 ? found.linear[c][r] - bones_[b].linear[c][r]
-                                                : (found.translation[r] - bones_[b].translation[r]) *
+                const double difference = c < 3 ? found.linear[c][r] - source.linear[c][r]
+                                                : (found.translation[r] - source.translation[r]) *
                                                       inverse_radius_;
-                const std::size_t e = b * 12 + static_cast<std::size_t>(r * 4 + c);
+                const std::size_t e = std::size_t{b} * 12 + static_cast<std::size_t>(r * 4 + c);
                 difference_.values[e * kLanes + lane] = static_cast<float>(difference);
             }
             for (int c = 0; c < 3; ++c)
-                exact_.values[(b * 9 + static_cast<std::size_t>(r * 3 + c)) * kLanes + lane] =
-                    static_cast<float>(bones_[b].linear[c][r]);
+                exact_.values[(std::size_t{b} * 9 + static_cast<std::size_t>(r * 3 + c)) * kLanes + lane] =
+                    static_cast<float>(source.linear[c][r]);
         }
     }
 }

@@ -89,10 +89,10 @@ class ClipMeter {
         : animal_(animal),
           palette_(palette),
           inverse_radius_(palette.radius > 0.0 ? 1.0 / palette.radius : 1.0),
-          points_(in_radii(points, inverse_radius_)),
-          normals_(normals),
           moments_(palette::bone_moments(points, palette.spaces, animal.bones.size(), palette.reach())),
-          poses_(animal, palette, view, inverse_radius_) {}
+          poses_(animal, palette, view, inverse_radius_),
+          points_(in_radii(poses_.bindings().bind(points), inverse_radius_)),
+          normals_(poses_.bindings().bind(normals)) {}
 
     // Errors: E-LIM-WORK, before the work is done.
     base::Result<ClipError> measure(const palette::PaletteClip& clip, Tally& tally) {
@@ -175,7 +175,8 @@ class ClipMeter {
             error.time_s = static_cast<float>(point.time_s);
             error.mesh = place.mesh;
             error.vertex = place.vertex;
-            error.bone = blamed_bone(points_, point.entry, poses_.difference(), 0, true);
+            error.bone = poses_.bindings().bone_of(
+                blamed_bone(points_, point.entry, poses_.difference(), 0, true));
         }
         if (normals_.size() > 0) {
             const Place place = place_of(animal_, normals_, normal.entry);
@@ -186,17 +187,17 @@ class ClipMeter {
             error.normal_time_s = static_cast<float>(normal.time_s);
             error.normal_mesh = place.mesh;
             error.normal_vertex = place.vertex;
-            error.normal_bone = blamed_bone(normals_, normal.entry, poses_.difference(), 0, false);
+            error.normal_bone = poses_.bindings().bone_of(
+                blamed_bone(normals_, normal.entry, poses_.difference(), 0, false));
         }
     }
 
     const Animal& animal_;
     const palette::Palette& palette_;
     double inverse_radius_;
-    SkinSet points_;  // in units of R, as all lengths here: squares of tiny ones would vanish
-    const SkinSet& normals_;
     std::vector<palette::BoneMoment> moments_;
     LanePoses poses_;
+    const SkinSet points_, normals_;  // with bindings in the place of bones; points in units of R
     std::uint64_t samples_left_ = kMaxSamples;
 };
 

@@ -42,4 +42,9 @@ inline Affine affine_of(const animal::Transform& transform) {
     return out;
 }
 
+// What takes the vertices of `mesh` to where its bones bind them: the identity, but where its skin is folded.
+inline Affine bind_from_mesh(const animal::Animal& animal, const animal::Mesh& mesh) {
+    return mesh.fold == animal::kNone ? Affine{} : affine_of(animal.folds[mesh.fold].bind_from_mesh);
+}
+
 }  // namespace posepack::motion

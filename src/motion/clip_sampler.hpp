@@ -24,6 +24,10 @@ class ClipSampler {
     // key of a channel its end values hold. `bones` has one place for every bone of the animal.
     void sample(double time_s, std::span<Affine> bones);
 
+    // Global transform of a node, which some bone hangs from, at the time of the last sample (at the first
+    // key before any).
+    const Affine& node_global(std::uint32_t node) const { return globals_[node]; }
+
     // True when some channel above a bone changes over time.
     bool moves() const { return !moving_channels_.empty(); }
 

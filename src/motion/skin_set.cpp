@@ -13,13 +13,14 @@ using animal::kMaxInfluences;
 // What makes two vertices equal, as plain bytes.
 struct Key {
     std::array<float, 3> vector;
-    std::array<float, kMaxInfluences> weights;
-    std::array<std::uint16_t, kMaxInfluences> bones;
+    animal::InfluenceWeights weights;
+    animal::InfluenceBones bones;
+    std::uint32_t fold;
 };
-static_assert(sizeof(Key) == 36, "compared and hashed as bytes: no padding");
+static_assert(sizeof(Key) == 64, "compared and hashed as bytes: no padding");
 
 std::uint64_t hash_of(const Key& key) {
-    std::array<std::uint32_t, 9> words;
+    std::array<std::uint32_t, sizeof(Key) / 4> words;
     std::memcpy(words.data(), &key, sizeof key);
     std::uint64_t hash = 0x9E3779B97F4A7C15ull;
     for (const std::uint32_t word : words) {
@@ -49,19 +50,39 @@ std::vector<std::uint32_t> first_of_each(std::span<const Key> keys) {
     return firsts;
 }
 
-std::size_t influence_count(const std::array<float, kMaxInfluences>& weights) {
+std::size_t influence_count(const animal::InfluenceWeights& weights) {
     std::size_t count = 0;
     while (count < kMaxInfluences && weights[count] > 0.0f) ++count;
     return count;
 }
 
-SkinSet unique_set(const animal::Animal& animal, const std::vector<std::array<float, 3>>& vectors) {
-    const animal::Vertices& vertices = animal.vertices;
-    std::vector<Key> keys(vectors.size());
-    for (std::size_t v = 0; v < keys.size(); ++v) {
-        keys[v] = {vectors[v], vertices.weights[v], vertices.bones[v]};
-        for (float& c : keys[v].vector) c += 0.0f;  // -0 and 0 are one
+enum class Kind { point, direction };
+
+// Vectors of all vertices as the bones bind them, mesh by mesh.
+std::vector<std::array<float, 3>> bound_vectors(const animal::Animal& animal, Kind kind) {
+    std::vector<std::array<float, 3>> out =
+        kind == Kind::point ? animal.vertices.positions : animal.vertices.normals;
+    for (const animal::Mesh& mesh : animal.meshes) {
+        if (mesh.fold == animal::kNone) continue;
+        Affine entry = bind_from_mesh(animal, mesh);
+        if (kind == Kind::direction) entry.translation = glm::dvec3(0.0);
+        for (std::uint32_t v = mesh.first_vertex; v < mesh.first_vertex + mesh.vertex_count; ++v) {
+            const glm::dvec3 moved = entry * glm::dvec3(out[v][0], out[v][1], out[v][2]);
+            for (std::size_t c = 0; c < 3; ++c) out[v][c] = static_cast<float>(moved[static_cast<int>(c)]);
+        }
     }
+    return out;
+}
+
+SkinSet unique_set(const animal::Animal& animal, Kind kind) {
+    const animal::Vertices& vertices = animal.vertices;
+    const std::vector<std::array<float, 3>> vectors = bound_vectors(animal, kind);
+    std::vector<Key> keys(vectors.size());
+    for (const animal::Mesh& mesh : animal.meshes)
+        for (std::uint32_t v = mesh.first_vertex; v < mesh.first_vertex + mesh.vertex_count; ++v) {
+            keys[v] = {vectors[v], vertices.weights[v], vertices.bones[v], mesh.fold};
+            for (float& c : keys[v].vector) c += 0.0f;  // -0 and 0 are one
+        }
     std::vector<std::uint32_t> firsts = first_of_each(keys);
     const auto influences = [&](std::uint32_t v) { return influence_count(vertices.weights[v]); };
     std::stable_sort(firsts.begin(), firsts.end(),
@@ -80,11 +101,11 @@ SkinSet unique_set(const animal::Animal& animal, const std::vector<std::array<fl
 }  // namespace
 
 SkinSet unique_points(const animal::Animal& animal) {
-    return unique_set(animal, animal.vertices.positions);
+    return unique_set(animal, Kind::point);
 }
 
 SkinSet unique_normals(const animal::Animal& animal) {
-    SkinSet all = unique_set(animal, animal.vertices.normals);
+    SkinSet all = unique_set(animal, Kind::direction);
     SkinSet set;
     for (std::size_t n = 0; n + 1 < all.first.size(); ++n) {
         for (std::uint32_t i = all.first[n]; i < all.first[n + 1]; ++i) {

@@ -16,18 +16,20 @@ namespace posepack::motion {
 // [first[n], first[n + 1]) have exactly n.
 struct SkinSet {
     std::vector<std::array<float, 3>> vectors;  // points, or directions
-    std::vector<std::array<std::uint16_t, animal::kMaxInfluences>> bones;
-    std::vector<std::array<float, animal::kMaxInfluences>> weights;
+    std::vector<animal::InfluenceBones> bones;
+    std::vector<animal::InfluenceWeights> weights;
     std::vector<std::uint32_t> vertices;  // the first vertex of the animal that each entry stands for
     std::array<std::uint32_t, animal::kMaxInfluences + 2> first{};
 
     std::size_t size() const { return vectors.size(); }
 };
 
-// Different (position, bones, weights).
+// Different (position, bones, weights), positions as the bones bind them: where a skin is folded, behind its
+// X. Vertices of different folds are different.
 SkinSet unique_points(const animal::Animal& animal);
 
-// Different (normal, bones, weights), without zero normals.
+// Different (normal, bones, weights), without zero normals; behind the linear part of X where a skin is
+// folded.
 SkinSet unique_normals(const animal::Animal& animal);
 
 // Points of `set` under linear blend skinning: the sum of weight x bone x point.

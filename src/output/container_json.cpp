@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
 
 #include "base/sha256.hpp"
 #include "base/text.hpp"
@@ -128,7 +130,8 @@ json meshes_of(const posepack_view& view, std::uint32_t mesh_count) {
         json joints = json::array();
         for (std::uint32_t j = 0; j < mesh.joint_count; ++j) {
             std::uint32_t bone = POSEPACK_NONE;
-            if (posepack_map_joint(&view, m, j, &bone) == POSEPACK_OK) joints.push_back(bone);
+            static_cast<void>(posepack_map_joint(&view, m, j, &bone));
+            joints.push_back(index_or_null(bone));
         }
         meshes.push_back({{"name", text_of(mesh.name)},
                           {"node", mesh.node},
@@ -205,6 +208,18 @@ std::string bones_json(const posepack_view& view) {
 }
 std::string space_json(const posepack_view& view) {
     return space_of(view).dump();
+}
+
+std::uint32_t joints_without_bone(const posepack_view& view) {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> joints;  // meshes of one skin have the same
+    posepack_mesh mesh;
+    for (std::uint32_t m = 0; posepack_get_mesh(&view, m, &mesh) == POSEPACK_OK; ++m)
+        for (std::uint32_t j = 0; j < mesh.joint_count; ++j) {
+            std::uint32_t bone = 0;
+            if (posepack_map_joint(&view, m, j, &bone) == POSEPACK_ERROR_NOT_FOUND)
+                joints.insert({mesh.skin == POSEPACK_NONE ? ~m : mesh.skin, j});
+        }
+    return static_cast<std::uint32_t>(joints.size());
 }
 
 std::string encoding_name(std::uint32_t encoding) {

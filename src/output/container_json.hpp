@@ -19,6 +19,9 @@ std::string states_json(const posepack_view& view);
 std::string bones_json(const posepack_view& view);
 std::string space_json(const posepack_view& view);
 
+// Joints of skins that have no bone because no vertex moves by them.
+std::uint32_t joints_without_bone(const posepack_view& view);
+
 // Names of the format's numbers: "affine", "rgba16f", "bone-major", "loop".
 std::string encoding_name(std::uint32_t encoding);
 std::string texel_format_name(std::uint32_t format);

@@ -66,6 +66,10 @@ struct DiagnosedBake {
     bool is_measured = false;
     double error_max_m = 0.0, error_max = 0.0;  // metres; of R
     std::string worst_clip;
+    // What it costs that vertices keep four influences; vertex count 0: none has more.
+    std::uint32_t reduced_vertex_count = 0, influences_most = 0;
+    double reduction_max_m = 0.0, reduction_max = 0.0, reduction_rms_m = 0.0, reduction_rms = 0.0;
+    std::string reduction_clip;
 };
 
 struct Diagnosis {

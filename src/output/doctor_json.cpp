@@ -98,6 +98,15 @@ json bake_json(const DiagnosedBake& bake) {
     json error = nullptr;
     if (bake.is_measured)
         error = {{"max_m", bake.error_max_m}, {"max", bake.error_max}, {"clip", bake.worst_clip}};
+    json reduction = nullptr;
+    if (bake.reduced_vertex_count > 0)
+        reduction = {{"vertices", bake.reduced_vertex_count},
+                     {"influences_most", bake.influences_most},
+                     {"max_m", bake.reduction_max_m},
+                     {"max", bake.reduction_max},
+                     {"rms_m", bake.reduction_rms_m},
+                     {"rms", bake.reduction_rms},
+                     {"clip", bake.reduction_clip}};
     return {{"encoding", bake.encoding},
             {"texel_format", bake.texel_format},
             {"rows", bake.row_count},
@@ -107,7 +116,8 @@ json bake_json(const DiagnosedBake& bake) {
             {"texture_height", bake.texture_height},
             {"texel_bytes", bake.texel_bytes},
             {"forms", forms},
-            {"error", error}};
+            {"error", error},
+            {"reduction", reduction}};
 }
 
 const char* name_of(Treatment treatment) {

@@ -193,8 +193,6 @@ void write_findings(std::string& out, const Diagnosis& diagnosis, Treatment trea
 void write_left_out_names(std::string& out, const Diagnosis& diagnosis) {
     if (!diagnosis.facts || !diagnosis.skeleton) return;
     const animal::FileFacts& facts = *diagnosis.facts;
-    if (facts.skinned_node_count > 0 && !facts.rigid_nodes.empty())
-        out += fmt::format("    rigid meshes: {}\n", listed(facts.rigid_nodes));
     if (!facts.morphed_meshes.empty())
         out += fmt::format("    shapes that blend (morph targets): {} in {}\n", facts.morph_target_count,
                            listed(facts.morphed_meshes));
@@ -216,6 +214,14 @@ void write_bake(std::string& out, const DiagnosedBake& bake) {
         out += fmt::format(
             "  largest distance of a vertex from the source: {:.3g} mm ({} of the size R), in {}\n",
             bake.error_max_m * 1e3, readable_error(bake.error_max), shown(bake.worst_clip));
+    if (bake.reduced_vertex_count > 0)
+        out += fmt::format(
+            "  {} of {} vertices keep the four strongest of up to {} joints: that moves them by up to {:.3g} "
+            "mm\n"
+            "  ({} of the size R), in {}, and by {:.3g} mm as a mean square; --influences 8 keeps eight\n",
+            base::grouped(bake.reduced_vertex_count), base::grouped(bake.vertex_count), bake.influences_most,
+            bake.reduction_max_m * 1e3, readable_error(bake.reduction_max), shown(bake.reduction_clip),
+            bake.reduction_rms_m * 1e3);
 }
 
 }  // namespace

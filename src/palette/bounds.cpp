@@ -17,7 +17,7 @@ bool Box::fits_floats() const {
            *std::max_element(high.begin(), high.end()) < kLargest;
 }
 
-BoneBoxes::BoneBoxes(const animal::Animal& animal) : BoneBoxes(animal, Spaces{}) {}
+BoneBoxes::BoneBoxes(const animal::Animal& animal) : BoneBoxes(animal, model_space(animal)) {}
 
 BoneBoxes::BoneBoxes(const animal::Animal& animal, const Spaces& spaces) {
     struct Range {
@@ -25,20 +25,26 @@ BoneBoxes::BoneBoxes(const animal::Animal& animal, const Spaces& spaces) {
     };
     std::vector<Range> ranges(animal.bones.size());
     const animal::Vertices& vertices = animal.vertices;
-    for (std::size_t v = 0; v < vertices.positions.size(); ++v)
+    const auto grow = [&](std::uint32_t v, const glm::dvec3& entered) {
         for (std::size_t i = 0; i < animal::kMaxInfluences; ++i) {
             if (vertices.weights[v][i] <= 0.0f) continue;
-            const std::size_t bone = vertices.bones[v][i];
-            const auto& p = vertices.positions[v];
-            const glm::dvec3 entered = spaces.bone_entry(bone) * glm::dvec3(p[0], p[1], p[2]);
-            Range& range = ranges[bone];
+            Range& range = ranges[vertices.bones[v][i]];
             for (std::size_t c = 0; c < 3; ++c) {
                 range.low[c] = std::min(range.low[c], entered[static_cast<int>(c)]);
                 range.high[c] = std::max(range.high[c], entered[static_cast<int>(c)]);
             }
         }
+    };
+    for (std::uint32_t m = 0; m < animal.meshes.size(); ++m) {
+        const animal::Mesh& mesh = animal.meshes[m];
+        const motion::Affine entry = spaces.mesh_entry(m);
+        for (std::uint32_t v = mesh.first_vertex; v < mesh.first_vertex + mesh.vertex_count; ++v) {
+            const auto& p = vertices.positions[v];
+            grow(v, entry * glm::dvec3(p[0], p[1], p[2]));
+        }
+    }
     for (std::uint32_t b = 0; b < ranges.size(); ++b) {
-        if (!animal.bones[b].weighted) continue;
+        if (ranges[b].low[0] > ranges[b].high[0]) continue;
         BoneBox box{b, {}, {}};
         for (std::size_t c = 0; c < 3; ++c) {
             box.center[c] = 0.5 * (ranges[b].low[c] + ranges[b].high[c]);

@@ -27,7 +27,7 @@ struct Spaces;
 // The box of the vertices that each bone moves, before it moves them; bones that move none have none.
 class BoneBoxes {
  public:
-    // Boxes in mesh space, for matrices of model space.
+    // Boxes where bones bind, for matrices of model space.
     explicit BoneBoxes(const animal::Animal& animal);
     // Boxes in the palette space of `spaces`, for matrices of that space.
     BoneBoxes(const animal::Animal& animal, const Spaces& spaces);

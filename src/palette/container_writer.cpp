@@ -251,7 +251,7 @@ std::vector<std::uint8_t> space_section(const Animal& animal, const Palette& pal
         out.u32(mesh.joint_count);
         out.u32(mesh.vertex_count);
         out.u32(0);
-        write_affine(out, palette.spaces.normalised ? palette.spaces.palette_from_mesh[m] : motion::Affine{});
+        write_affine(out, palette.spaces.mesh_entry(m));
     }
     return out.take();
 }

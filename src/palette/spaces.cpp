@@ -27,7 +27,8 @@ std::vector<std::uint32_t> group_meshes(const Animal& animal, std::vector<std::u
     for (std::uint32_t m = 0; m < group.size(); ++m) {
         const animal::Mesh& mesh = animal.meshes[m];
         for (std::uint32_t j = 0; j < mesh.joint_count; ++j) {
-            const std::uint32_t bone = animal.joint_map[mesh.first_joint + j];
+            const std::uint16_t bone = animal.joint_map[mesh.first_joint + j];
+            if (bone == animal::kNoBone) continue;
             const std::uint32_t other = group_of_bone[bone];
             if (other == animal::kNone) {
                 group_of_bone[bone] = group[m];
@@ -91,17 +92,21 @@ std::uint32_t most_agreed(const std::vector<std::uint32_t>& members, std::span<c
     return best;
 }
 
-// The middle of the box of the vertices that a bone moves, in mesh space.
+// The middle of the box of the vertices that a bone moves, as it binds them.
 glm::dvec3 middle_of(const Animal& animal, std::uint32_t bone) {
     glm::dvec3 low(HUGE_VAL);
     glm::dvec3 high(-HUGE_VAL);
-    for (std::size_t v = 0; v < animal.vertices.positions.size(); ++v)
-        for (std::size_t i = 0; i < animal::kMaxInfluences; ++i) {
-            if (animal.vertices.bones[v][i] != bone || animal.vertices.weights[v][i] <= 0.0f) continue;
-            const auto& p = animal.vertices.positions[v];
-            low = glm::min(low, glm::dvec3(p[0], p[1], p[2]));
-            high = glm::max(high, glm::dvec3(p[0], p[1], p[2]));
-        }
+    for (const animal::Mesh& mesh : animal.meshes) {
+        const Affine entry = motion::bind_from_mesh(animal, mesh);
+        for (std::uint32_t v = mesh.first_vertex; v < mesh.first_vertex + mesh.vertex_count; ++v)
+            for (std::size_t i = 0; i < animal::kMaxInfluences; ++i) {
+                if (animal.vertices.bones[v][i] != bone || animal.vertices.weights[v][i] <= 0.0f) continue;
+                const auto& p = animal.vertices.positions[v];
+                const glm::dvec3 bound = entry * glm::dvec3(p[0], p[1], p[2]);
+                low = glm::min(low, bound);
+                high = glm::max(high, bound);
+            }
+    }
     return low.x > high.x ? glm::dvec3(0.0) : 0.5 * (low + high);
 }
 
@@ -171,6 +176,13 @@ Affine Spaces::leave(std::size_t bone, const Affine& stored) const {
     return normalised ? model_from_palette * stored * palette_from_bound[bone] : stored;
 }
 
+Spaces model_space(const Animal& animal) {
+    Spaces spaces;
+    for (const animal::Mesh& mesh : animal.meshes)
+        spaces.palette_from_mesh.push_back(motion::bind_from_mesh(animal, mesh));
+    return spaces;
+}
+
 Spaces normalise(const Animal& animal, std::span<const PlannedClip> clips, double radius) {
     const Survey survey = survey_clips(animal, clips);
     const std::vector<Affine> rest = motion::rest_pose(animal);
@@ -181,16 +193,20 @@ Spaces normalise(const Animal& animal, std::span<const PlannedClip> clips, doubl
     spaces.palette_from_model = inverse(spaces.model_from_palette);
     std::vector<std::uint32_t> group_of_bone;
     const std::vector<std::uint32_t> group_of_mesh = group_meshes(animal, group_of_bone);
+    std::vector<Affine> entry_of_group(animal.meshes.size());
     for (std::uint32_t m = 0; m < animal.meshes.size(); ++m) {
         const std::uint32_t group = group_of_mesh[m];
+        if (group == m)
+            entry_of_group[m] = rounded(spaces.palette_from_model *
+                                        bind_of_group(animal, group, group_of_bone, rest, survey));
+        const Affine& entry = entry_of_group[group];
+        const bool is_folded = animal.meshes[m].fold != animal::kNone;
         spaces.palette_from_mesh.push_back(
-            group < m ? spaces.palette_from_mesh[group]
-                      : rounded(spaces.palette_from_model *
-                                bind_of_group(animal, group, group_of_bone, rest, survey)));
+            is_folded ? rounded(entry * motion::bind_from_mesh(animal, animal.meshes[m])) : entry);
     }
     for (const std::uint32_t group : group_of_bone) {
         const bool is_used = group != animal::kNone;
-        spaces.palette_from_bound.push_back(is_used ? spaces.palette_from_mesh[group] : Affine{});
+        spaces.palette_from_bound.push_back(is_used ? entry_of_group[group] : Affine{});
         spaces.bound_from_palette.push_back(inverse(spaces.palette_from_bound.back()));
     }
     return spaces;

@@ -5,7 +5,8 @@
 // palette_from_mesh carries the similarity B that the bones of a mesh share when they bind (an armature 100
 // times too large, swapped axes), the centre of all that moves is the origin, and R is 1; so M' is near the
 // identity where nothing moves, its numbers are of the size of 1, and halves hold them best. In model space
-// both matrices are the identity.
+// both matrices are the identity. In both, the palette_from_mesh of a folded skin ends in its X
+// (animal::Fold).
 #pragma once
 
 #include <vector>
@@ -22,10 +23,14 @@ struct Spaces {
     motion::Affine model_from_palette;               // every number is a float, as stored
     motion::Affine palette_from_model;               // its inverse
     std::vector<motion::Affine> palette_from_mesh;   // one a mesh, floats too; empty: identities
-    std::vector<motion::Affine> palette_from_bound;  // one a bone: that of the meshes that use it
+    std::vector<motion::Affine> palette_from_bound;  // one a bone: that of the meshes that use it, without X
     std::vector<motion::Affine> bound_from_palette;  // one a bone: the inverse
 
-    // Mesh space to palette space for what bone `bone` moves.
+    // Mesh space to palette space for the vertices of mesh `mesh`.
+    motion::Affine mesh_entry(std::size_t mesh) const {
+        return palette_from_mesh.empty() ? motion::Affine{} : palette_from_mesh[mesh];
+    }
+    // Where bones bind to palette space for what bone `bone` moves.
     motion::Affine bone_entry(std::size_t bone) const {
         return palette_from_bound.empty() ? motion::Affine{} : palette_from_bound[bone];
     }
@@ -34,6 +39,9 @@ struct Spaces {
     // A matrix that was read from a palette, back in model space.
     motion::Affine leave(std::size_t bone, const motion::Affine& stored) const;
 };
+
+// Model space for an animal: all identities but for folded skins.
+Spaces model_space(const animal::Animal& animal);
 
 // A clip that will be baked: what it plays and at which times.
 struct PlannedClip {

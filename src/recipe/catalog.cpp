@@ -69,6 +69,16 @@ void read_choice(const Value& object, std::string_view key, Choice* choice) {
     if (const std::optional<Value> value = object.find(key)) *choice = value->choice<Choice>();
 }
 
+// Influences are as many as one or two vectors of four hold.
+void read_influences(const Value& object, std::uint32_t* influences) {
+    const std::optional<Value> value = object.find("influences");
+    if (!value) return;
+    const std::uint64_t number = value->whole(8);
+    *influences = static_cast<std::uint32_t>(number);
+    if (number != 4 && number != 8)
+        value->fail(IssueCode::cat_value, fmt::format("expected 4 or 8, found {}", number));
+}
+
 std::optional<ErrorLimit> read_limit(const Value& object, std::string_view key) {
     const std::optional<Value> value = object.find(key);
     if (!value) return std::nullopt;
@@ -111,8 +121,8 @@ void read_bound(const Value& object, std::optional<ErrorBound>* bound) {
 void read_output(const Value& object, OutputOptions* options) {
     const std::optional<Value> output = object.find("output");
     if (!output) return;
-    output->expect_object({"caps", "encoding", "max_error", "p999_error", "rms_error", "row_pitch", "space",
-                           "texel_format", "texel_order"});
+    output->expect_object({"caps", "encoding", "influences", "max_error", "p999_error", "rms_error", "row_pitch",
+                           "space", "texel_format", "texel_order", "unused_bones"});
     if (output->find("encoding")) options->bound.reset();
     read_choice(*output, "encoding", &options->encoding);
     read_bound(*output, &options->bound);
@@ -126,6 +136,8 @@ void read_output(const Value& object, OutputOptions* options) {
     read_choice(*output, "row_pitch", &options->row_pitch);
     read_choice(*output, "caps", &options->caps);
     read_choice(*output, "space", &options->space);
+    read_influences(*output, &options->influences);
+    read_choice(*output, "unused_bones", &options->unused_bones);
 }
 
 void apply(const OutputOverrides& overrides, OutputOptions* options) {
@@ -135,6 +147,8 @@ void apply(const OutputOverrides& overrides, OutputOptions* options) {
     options->row_pitch = overrides.row_pitch.value_or(options->row_pitch);
     options->caps = overrides.caps.value_or(options->caps);
     options->space = overrides.space.value_or(options->space);
+    options->influences = overrides.influences.value_or(options->influences);
+    options->unused_bones = overrides.unused_bones.value_or(options->unused_bones);
     if (overrides.encoding) options->bound.reset();
     if (overrides.bound) options->bound = overrides.bound;
 }
@@ -232,10 +246,12 @@ std::string canonical(const AnimalEntry& animal) {
     const Json output{{"bound", bound_of(animal.output.bound)},
                       {"caps", name_of(animal.output.caps)},
                       {"encoding", name_of(animal.output.encoding)},
+                      {"influences", animal.output.influences},
                       {"row_pitch", name_of(animal.output.row_pitch)},
                       {"space", animal.output.is_normalised() ? "normalised" : "model"},
                       {"texel_format", name_of(animal.output.texel_format)},
-                      {"texel_order", name_of(animal.output.texel_order)}};
+                      {"texel_order", name_of(animal.output.texel_order)},
+                      {"unused_bones", name_of(animal.output.unused_bones)}};
     const Json entry{{"clips", std::move(clips)},
                      {"default_state", animal.default_state},
                      {"forward", name_of(animal.forward)},

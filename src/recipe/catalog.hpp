@@ -25,7 +25,8 @@ enum class Space { automatic, model, normalised };  // of the rows; automatic: m
 enum class TexelFormat { rgba16f, rgba32f };
 enum class TexelOrder { bone_major, planar };
 enum class RowPitch { tight, align256 };
-enum class Caps { webgl2, desktop };  // largest texture side: 4096, 16384 texels
+enum class UnusedBones { keep, drop };  // bones that move no vertex
+enum class Caps { webgl2, desktop };    // largest texture side: 4096, 16384 texels
 enum class Wrap { automatic, loop, once, ping_pong };
 enum class Seam { automatic, closed, open };
 enum class ForwardAxis { plus_z, minus_z, plus_x, minus_x };
@@ -39,6 +40,8 @@ struct OutputOptions {
     RowPitch row_pitch = RowPitch::tight;
     Caps caps = Caps::webgl2;
     Space space = Space::automatic;
+    std::uint32_t influences = 4;  // that a vertex keeps: 4 or 8
+    UnusedBones unused_bones = UnusedBones::keep;
     std::optional<ErrorBound> bound{};  // form and rows are chosen by it; `encoding` then says nothing
 
     bool is_normalised() const {
@@ -55,6 +58,8 @@ struct OutputOverrides {
     std::optional<RowPitch> row_pitch;
     std::optional<Caps> caps;
     std::optional<Space> space;
+    std::optional<std::uint32_t> influences{};
+    std::optional<UnusedBones> unused_bones{};
     std::optional<ErrorBound> bound{};
 };
 
@@ -106,6 +111,7 @@ std::string_view name_of(TexelOrder);
 std::string_view name_of(RowPitch);
 std::string_view name_of(Caps);
 std::string_view name_of(Space);
+std::string_view name_of(UnusedBones);
 std::string_view name_of(Wrap);
 std::string_view name_of(Seam);
 std::string_view name_of(ForwardAxis);

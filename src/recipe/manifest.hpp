@@ -30,6 +30,20 @@ struct ErrorRecord {
     std::string bone;          //   and the bone that contributes most
 };
 
+// What it costs that vertices keep the largest of their influences only, at the rows; lengths as fractions of
+// R.
+struct ReductionRecord {
+    bool measured = false;              // false: no vertex lost any, or nothing was measured
+    std::uint32_t vertex_count = 0;     // vertices that lost influences
+    std::uint32_t influences_most = 0;  // the largest number that one of them had
+    float max = 0, rms = 0;
+    float max_m = 0, rms_m = 0;  // the same in metres: times radius_m
+    std::string clip;            // the worst place: clip,
+    float time_s = 0;            //   time within it,
+    std::string mesh;            //   mesh,
+    std::uint32_t vertex = 0;    //   and vertex within that mesh
+};
+
 // One try to find the smallest rows within a bound: what it would have stored, and its measured error.
 struct TryRecord {
     std::string encoding;
@@ -82,7 +96,8 @@ struct BakeRecord {
     std::vector<ClipRecord> clips;
     std::vector<StateRecord> states;
     std::string default_state;
-    ErrorRecord error;      // the worst over all clips; rms and p999 pooled
+    ErrorRecord error;  // the worst over all clips; rms and p999 pooled
+    ReductionRecord reduction;
     bool has_vram = false;  // bake --compare-vat
     VramRecord vram;
     std::vector<std::string> remarks;  // warnings, as printed

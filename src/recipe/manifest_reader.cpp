@@ -77,6 +77,25 @@ ErrorRecord read_error(const Value& error, bool names_clip) {
     return record;
 }
 
+ReductionRecord read_reduction(const Value& reduction) {
+    ReductionRecord record;
+    if (reduction.json().is_null()) return record;
+    reduction.expect_object({"clip", "influences_most", "max", "max_m", "mesh", "rms", "rms_m", "time_s",
+                             "vertex", "vertex_count"});
+    record.measured = true;
+    record.vertex_count = whole_u32(reduction, "vertex_count");
+    record.influences_most = whole_u32(reduction, "influences_most");
+    record.max = number(reduction, "max");
+    record.rms = number(reduction, "rms");
+    record.max_m = number(reduction, "max_m");
+    record.rms_m = number(reduction, "rms_m");
+    record.clip = text(reduction, "clip");
+    record.time_s = number(reduction, "time_s");
+    record.mesh = text(reduction, "mesh");
+    record.vertex = whole_u32(reduction, "vertex");
+    return record;
+}
+
 void check_flag(const Value& options, std::string_view key) {
     const std::optional<Value> flag = options.find(key);
     if (flag && !flag->json().is_boolean())
@@ -194,6 +213,7 @@ BakeRecord read_record(const Value& value) {
                          "model_sha256",
                          "radius_m",
                          "recipe_sha256",
+                         "reduction",
                          "remarks",
                          "row_count",
                          "row_scheme",
@@ -212,6 +232,7 @@ BakeRecord read_record(const Value& value) {
     for (const Value& state : value.need("states").elements()) record.states.push_back(read_state(state));
     record.default_state = text(value, "default_state");
     record.error = read_error(value.need("error"), true);
+    record.reduction = read_reduction(value.need("reduction"));
     const Value vram = value.need("vram");
     record.has_vram = !vram.json().is_null();
     if (record.has_vram) record.vram = read_vram(vram);
@@ -238,8 +259,9 @@ void check_bound(const Value& bound) {
 
 // What the command line set: only what it set is there.
 void check_options(const Value& options) {
-    options.expect_object({"allow_data_uris", "bound", "caps", "compare_vat", "encoding", "measure", "only",
-                           "rate_hz", "row_pitch", "space", "strict", "texel_format", "texel_order"});
+    options.expect_object({"allow_data_uris", "bound", "caps", "compare_vat", "encoding", "influences", "measure",
+                           "only", "rate_hz", "row_pitch", "space", "strict", "texel_format", "texel_order",
+                           "unused_bones"});
     if (const std::optional<Value> bound = options.find("bound")) check_bound(*bound);
     check_choice<Caps>(options, "caps");
     check_choice<Encoding>(options, "encoding");
@@ -247,6 +269,10 @@ void check_options(const Value& options) {
     check_choice<Space>(options, "space");
     check_choice<TexelFormat>(options, "texel_format");
     check_choice<TexelOrder>(options, "texel_order");
+    check_choice<UnusedBones>(options, "unused_bones");
+    if (const std::optional<Value> influences = options.find("influences"))
+        if (const std::uint64_t number = influences->whole(8); number != 4 && number != 8)
+            influences->fail(IssueCode::man_json, fmt::format("expected 4 or 8, found {}", number));
     for (const std::string_view flag : {"allow_data_uris", "compare_vat", "measure", "strict"})
         check_flag(options, flag);
     if (const std::optional<Value> rate = options.find("rate_hz"))

@@ -35,6 +35,15 @@ Json error_json(const ErrorRecord& error, bool names_clip) {
     return json;
 }
 
+Json reduction_json(const ReductionRecord& reduction) {
+    if (!reduction.measured) return nullptr;
+    return {{"clip", reduction.clip},           {"influences_most", reduction.influences_most},
+            {"max", number(reduction.max)},     {"max_m", number(reduction.max_m)},
+            {"mesh", reduction.mesh},           {"rms", number(reduction.rms)},
+            {"rms_m", number(reduction.rms_m)}, {"time_s", number(reduction.time_s)},
+            {"vertex", reduction.vertex},       {"vertex_count", reduction.vertex_count}};
+}
+
 Json tried_json(const std::vector<TryRecord>& tried) {
     Json list = Json::array();
     for (const TryRecord& one : tried)
@@ -95,6 +104,7 @@ Json record_json(const BakeRecord& record) {
             {"model_sha256", record.model_sha256},
             {"radius_m", number(record.radius_m)},
             {"recipe_sha256", record.recipe_sha256},
+            {"reduction", reduction_json(record.reduction)},
             {"remarks", record.remarks},
             {"row_count", record.row_count},
             {"row_scheme", record.row_scheme},

@@ -12,6 +12,7 @@ constexpr std::array<std::string_view, 2> kTexelOrders{"bone-major", "planar"};
 constexpr std::array<std::string_view, 2> kRowPitches{"tight", "align256"};
 constexpr std::array<std::string_view, 2> kCaps{"webgl2", "desktop"};
 constexpr std::array<std::string_view, 3> kSpaces{"auto", "model", "normalised"};
+constexpr std::array<std::string_view, 2> kUnusedBones{"keep", "drop"};
 constexpr std::array<std::string_view, 4> kWraps{"auto", "loop", "once", "ping-pong"};
 constexpr std::array<std::string_view, 3> kSeams{"auto", "closed", "open"};
 constexpr std::array<std::string_view, 4> kForwardAxes{"+z", "-z", "+x", "-x"};
@@ -48,6 +49,10 @@ std::span<const std::string_view> all_names<Space>() {
     return kSpaces;
 }
 template <>
+std::span<const std::string_view> all_names<UnusedBones>() {
+    return kUnusedBones;
+}
+template <>
 std::span<const std::string_view> all_names<Wrap>() {
     return kWraps;
 }
@@ -76,6 +81,9 @@ std::string_view name_of(Caps choice) {
     return name_in_table(choice);
 }
 std::string_view name_of(Space choice) {
+    return name_in_table(choice);
+}
+std::string_view name_of(UnusedBones choice) {
     return name_in_table(choice);
 }
 std::string_view name_of(Wrap choice) {

@@ -12,7 +12,8 @@ from harness import MANIFEST_NAME, Row, read_bytes
 from herd import deer, deer_and_elk
 
 CATALOG_OPTIONS = {"--models", "--only"}
-OUTPUT_OPTIONS = {"--encoding", "--texel-format", "--texel-order", "--row-pitch", "--caps", "--space", "--rate"}
+OUTPUT_OPTIONS = {"--encoding", "--texel-format", "--texel-order", "--row-pitch", "--caps", "--space", "--rate",
+                  "--influences", "--unused-bones"}
 OPTIONS = {
     "bake": CATALOG_OPTIONS | OUTPUT_OPTIONS | {
         "--output", "--strict", "--allow-data-uris", "--keep-going", "--compare-vat", "--no-measure", "--no-fsync", "--jobs",

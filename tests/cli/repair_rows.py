@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What is repaired with one warning that counts, and refused under --strict; and what is refused always."""
 
+import json
 import math
 
 import glb
@@ -163,6 +164,46 @@ def _last_channel_wins(case):
     case.check(abs(matrices[0][0][0] - math.cos(turn)) < 1e-3, f"spine at key 3: expected a turn by {turn}")
 
 
+def _influences_left_out(case):
+    """What four of five influences cost stands in the warning and the manifest; of eight there is no word."""
+    document = glb.tiny_animal()
+    _more_influences(document)
+    catalog = case.write_animal(document.glb(), clips=[{"name": "*", "wrap": "once"}])
+    result = case.bake(catalog, measure=True)
+    case.expect_ok(result, ["W-GLB-INFLUENCES"])
+    case.contains(result.stderr, "moves 3 vertices of the model by at most", "the warning")
+    reduction = case.manifest()["records"][0]["reduction"]
+    case.equal((reduction["vertex_count"], reduction["influences_most"]), (3, 5), "what lost influences")
+    case.check(0 < reduction["rms"] <= reduction["max"] < 0.5, f"expected a share of R, found {reduction}")
+    case.expect_ok(case.run("verify", "--strict", "out"))
+    case.expect_ok(case.bake(catalog, "--influences", 8, "--strict", output="eight", measure=True))
+    case.equal(case.manifest("eight")["records"][0]["reduction"], None, "reduction where eight are kept")
+    case.equal(case.manifest("eight")["options"], {"influences": 8, "strict": True}, "options in the manifest")
+    case.expect_refused(case.bake(catalog, "--influences", 6, output="six"), 1, "E-USAGE", ("4 or 8", "6"))
+
+
+def _unused_bones(case):
+    """Named by doctor and inspect, kept unless asked; the joint map says which joints have none."""
+    document = glb.tiny_animal()
+    document.json["nodes"].append({"name": "Pole"})
+    document.json["nodes"][1]["children"].append(len(document.json["nodes"]) - 1)
+    document.json["skins"][0]["joints"].append(len(document.json["nodes"]) - 1)
+    document.json["skins"][0].pop("inverseBindMatrices")
+    catalog = case.write_animal(document.glb())
+    text = case.run("doctor", "models/deer.glb", writes=()).stdout
+    case.contains(text, "1 bones move no vertex: Pole", "doctor")
+    case.expect_ok(case.bake(catalog))
+    case.contains(case.run("inspect", "out/deer.posepack", writes=()).stdout,
+                  "unused    1 bone without a vertex: Pole", "inspect")
+    case.expect_ok(case.bake(catalog, "--unused-bones", "drop", output="dropped"))
+    text = case.run("inspect", "dropped/deer.posepack", writes=()).stdout
+    case.contains(text, "1 joint without a bone", "inspect of the smaller one")
+    shown = json.loads(case.run("inspect", "--format", "json", "dropped/deer.posepack", writes=()).stdout)
+    case.equal(shown["space"]["meshes"][0]["bone_of_joint"], [0, 1, 2, None], "joint map")
+    case.equal(shown["bone_count"], 3, "bones")
+    case.expect_ok(case.run("verify", "--strict", "dropped"))
+
+
 def _one_point(case):
     """No size to measure an error by: baked or refused by name, but not called a bad container."""
     document = glb.tiny_animal()
@@ -175,5 +216,7 @@ def _one_point(case):
 
 ROWS = [_repaired_row(*row) for row in REPAIRED] + [_refused_row(*row) for row in REFUSED] + [
     Row("R18", "every vertex in one point", _one_point),
+    Row("R21", "of five influences four are kept, measured; or all", _influences_left_out),
+    Row("R22", "a bone that moves no vertex", _unused_bones),
     Row("R20", "of two channels on one target the last wins", _last_channel_wins),
 ]

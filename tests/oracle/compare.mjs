@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The bone matrices of a container against those of three.js, at every row of every clip.
+// The bone matrices of a container against those of three.js, at every row of every clip: of a skin its
+// boneMatrices, of a rigid mesh the matrixWorld of its node.
 //
 // The difference of two matrices is what it does to the body: the largest distance between M_three p and
 // M_pack p over the corners and the centre of the box of the vertices that the joint moves (in bind space,
@@ -8,18 +9,33 @@
 // of its skin, as if it moved them all.
 
 const CORNERS = 8;
+const NONE = 0xffffffff;
+
+const emptyBox = () => ({ low: [Infinity, Infinity, Infinity], high: [-Infinity, -Infinity, -Infinity] });
+
+function grow(box, point) {
+    for (let c = 0; c < 3; ++c) {
+        box.low[c] = Math.min(box.low[c], point[c]);
+        box.high[c] = Math.max(box.high[c], point[c]);
+    }
+}
+
+// The box of a rigid mesh as nine points.
+function rigidPoints(animal, node) {
+    const box = emptyBox();
+    for (const mesh of animal.rigidMeshes(node)) {
+        const { position } = mesh.geometry.attributes;
+        for (let v = 0; v < position.count; ++v)
+            grow(box, [position.getX(v), position.getY(v), position.getZ(v)]);
+    }
+    if (!(box.low[0] <= box.high[0])) throw new Error(`expected vertices at node ${node}, found none`);
+    return boxPoints(box);
+}
 
 // Boxes as nine points a joint: 27 numbers each, joint by joint.
 function jointPoints(animal, skin, jointCount) {
-    const emptyBox = () => ({ low: [Infinity, Infinity, Infinity], high: [-Infinity, -Infinity, -Infinity] });
     const boxes = Array.from({ length: jointCount }, emptyBox);
     const whole = emptyBox();
-    const grow = (box, point) => {
-        for (let c = 0; c < 3; ++c) {
-            box.low[c] = Math.min(box.low[c], point[c]);
-            box.high[c] = Math.max(box.high[c], point[c]);
-        }
-    };
     for (const mesh of animal.skinnedMeshes(skin)) {
         const { position, skinIndex, skinWeight } = mesh.geometry.attributes;
         for (let v = 0; v < position.count; ++v) {
@@ -72,11 +88,26 @@ function largestSquare(columns, at, rows, points) {
     return largest;
 }
 
-// Meshes of one skin share its matrices; a mesh with a space of its own does not.
-function skinUses(container) {
+// What is compared: of each skin or rigid node its mesh, the points of each joint, and where three.js has the
+// matrices: `matrices` gives 4x4 ones in columns, one behind the other. Meshes of one skin share its matrices; a
+// mesh with a space of its own does not.
+function usesOf(animal, container) {
     const uses = new Map();
-    for (const mesh of container.meshes)
-        uses.set([mesh.skin, mesh.firstJoint, ...mesh.paletteFromMesh].join(), mesh);
+    for (const mesh of container.meshes) {
+        if (mesh.vertexCount === 0) continue; // nothing drawn: no place to compare at
+        const isRigid = mesh.skin === NONE;
+        const key = [isRigid ? `node ${mesh.node}` : mesh.skin, mesh.firstJoint, ...mesh.paletteFromMesh].join();
+        if (uses.has(key)) continue;
+        uses.set(key, {
+            mesh,
+            points: isRigid
+                ? [rigidPoints(animal, mesh.node)]
+                : jointPoints(animal, mesh.skin, mesh.jointCount),
+            matrices: isRigid
+                ? () => animal.nodes[mesh.node].matrixWorld.elements
+                : () => animal.skeletons[mesh.skin].boneMatrices,
+        });
+    }
     return [...uses.values()];
 }
 
@@ -113,10 +144,7 @@ function lastKeyS(clip) {
 // Rows of an open loop behind the last key are left out: glTF says nothing about them.
 export function compareAnimal(animal, container) {
     const radius = container.radiusM / container.metresPerUnit;
-    const uses = skinUses(container).map((mesh) => ({
-        mesh,
-        points: jointPoints(animal, mesh.skin, mesh.jointCount),
-    }));
+    const uses = usesOf(animal, container);
     const result = { clips: 0, rows: 0, rowsLeftOut: 0, matrices: 0, worst: { error: 0 } };
     const animations = animationsOfClips(animal.json, container);
     container.clips.forEach((clip, c) => {
@@ -132,7 +160,7 @@ export function compareAnimal(animal, container) {
             }
             animal.pose(timeS);
             ++result.rows;
-            for (const use of uses) compareRow(animal, container, clip, row, use, radius, result);
+            for (const use of uses) compareRow(container, clip, row, use, radius, result);
         }
     });
     return result;
@@ -140,12 +168,12 @@ export function compareAnimal(animal, container) {
 
 const stored = new Float64Array(12);
 
-function compareRow(animal, container, clip, row, { mesh, points }, radius, result) {
-    const { boneMatrices } = animal.skeletons[mesh.skin];
+function compareRow(container, clip, row, { mesh, points, matrices }, radius, result) {
+    const expected = matrices();
     for (let joint = 0; joint < mesh.jointCount; ++joint) {
         container.readBoneRow(clip.firstRow + row, container.boneOfJoint(mesh.firstJoint + joint), stored);
         const inModel = product(product(container.modelFromPalette, stored), mesh.paletteFromMesh);
-        const error = Math.sqrt(largestSquare(boneMatrices, 16 * joint, inModel, points[joint])) / radius;
+        const error = Math.sqrt(largestSquare(expected, 16 * joint, inModel, points[joint])) / radius;
         ++result.matrices;
         if (!(error <= result.worst.error)) result.worst = { error, clip: clip.name, row, joint };
     }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 namespace posepack::oracle {
 namespace {
@@ -16,6 +17,8 @@ constexpr double kLastKeySlackS = 1e-8;
 
 // Fraction of R that never counts as a rounding: what double precision itself costs.
 constexpr double kDoubleRounding = 1e-12;
+
+constexpr Affine kIdentity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
 
 std::string text_of(const posepack_string& string) {
     return {string.data, string.size_bytes};
@@ -82,11 +85,15 @@ class Comparer {
     Comparison run();
 
  private:
-    // A skin, as one or several meshes of the palette use it.
+    // A skin, as one or several meshes of the palette use it, or a rigid mesh: a skin of one joint that
+    // nobody wrote down.
     struct Use {
-        std::uint32_t mesh, skin;
+        std::uint32_t mesh;
+        ReferenceSkin skin;
         Affine palette_from_mesh;
     };
+
+    ReferenceSkin skin_of(const posepack_mesh& mesh) const;
 
     const ReferenceClip& source_of(const posepack_clip& clip);
     void compare_clip(const posepack_clip& clip, const ReferenceClip& source);
@@ -110,19 +117,26 @@ Comparer::Comparer(const ReferenceAnimal& animal, const posepack_view& view) : a
     require_ok(posepack_get_space(&view, &space));
     model_from_palette_ = affine_of(space.model_from_palette);
     radius_ = static_cast<double>(view.header.radius_m) / static_cast<double>(space.metres_per_unit);
+    std::set<std::pair<std::uint32_t, Affine>> seen;
     for (std::uint32_t m = 0; m < space.mesh_count; ++m) {
         posepack_mesh mesh;
         require_ok(posepack_get_mesh(&view, m, &mesh));
-        const Use use{m, mesh.skin, affine_of(mesh.palette_from_mesh)};
-        if (mesh.joint_count != animal.skins.at(mesh.skin).nodes.size())
+        const Affine palette_from_mesh = affine_of(mesh.palette_from_mesh);
+        // Meshes of one skin are alike; each rigid mesh is one of its own.
+        if (mesh.skin != POSEPACK_NONE && !seen.insert({mesh.skin, palette_from_mesh}).second) continue;
+        uses_.push_back({m, skin_of(mesh), palette_from_mesh});
+        if (mesh.joint_count != uses_.back().skin.nodes.size())
             throw std::runtime_error(fmt::format("expected {} joints of skin {}, found {}",
-                                                 animal.skins[mesh.skin].nodes.size(), mesh.skin,
+                                                 uses_.back().skin.nodes.size(), mesh.skin,
                                                  mesh.joint_count));
-        const auto is_same = [&](const Use& other) {
-            return other.skin == use.skin && other.palette_from_mesh == use.palette_from_mesh;
-        };
-        if (std::none_of(uses_.begin(), uses_.end(), is_same)) uses_.push_back(use);
     }
+}
+
+ReferenceSkin Comparer::skin_of(const posepack_mesh& mesh) const {
+    if (mesh.skin != POSEPACK_NONE) return animal_.skins.at(mesh.skin);
+    for (const ReferenceRigidMesh& rigid : animal_.rigid_meshes)
+        if (rigid.node == mesh.node) return {{rigid.node}, {kIdentity}, {rigid.box}};
+    throw std::runtime_error(fmt::format("expected a rigid mesh at node {}, found none", mesh.node));
 }
 
 Comparison Comparer::run() {
@@ -166,7 +180,7 @@ void Comparer::compare_clip(const posepack_clip& clip, const ReferenceClip& sour
 
 void Comparer::compare_row(const posepack_clip& clip, std::uint32_t row, const std::vector<Affine>& globals) {
     for (const Use& use : uses_) {
-        const ReferenceSkin& skin = animal_.skins[use.skin];
+        const ReferenceSkin& skin = use.skin;
         for (std::uint32_t joint = 0; joint < skin.nodes.size(); ++joint)
             compare_joint(clip, row, use, joint, globals.at(skin.nodes[joint]) * skin.inverse_binds[joint]);
     }
@@ -180,12 +194,13 @@ void Comparer::compare_joint(const posepack_clip& clip, std::uint32_t row, const
     require_ok(posepack_decode_bone(&view_, clip.first_row + row, bone, stored));
     const Affine found = model_from_palette_ * affine_of(stored) * use.palette_from_mesh;
     for (int corner = 0; corner <= 8; ++corner) {
-        const Difference difference =
-            difference_at(expected, found, point_of(animal_.skins[use.skin].boxes[joint], corner));
+        const Difference difference = difference_at(expected, found, point_of(use.skin.boxes[joint], corner));
         const double roundings = difference.distance / (difference.rounding + kDoubleRounding * radius_);
-        // What was rounded are numbers of palette space; only in model space is it known what that may cost.
-        const bool in_model_space = (view_.header.space_flags & POSEPACK_SPACE_NORMALISED) == 0;
-        if (in_model_space && !(roundings <= result_.roundings))
+        // What was rounded are the numbers that are stored; only where they are the whole matrix (no
+        // normalised space, no folded skin) is it known what that may cost.
+        const bool is_whole =
+            (view_.header.space_flags & POSEPACK_SPACE_NORMALISED) == 0 && use.palette_from_mesh == kIdentity;
+        if (is_whole && !(roundings <= result_.roundings))
             result_.roundings = roundings;  // NaN is largest of all
         note_error(difference.distance / radius_, clip, row, bone);
     }

@@ -222,7 +222,9 @@ Value ReferenceChannel::at(double time_s) const {
 ReferenceAnimal::ReferenceAnimal(const std::filesystem::path& path) {
     const Glb glb(path);
     read_nodes(glb);
-    for (std::size_t s = 0; s < glb.json.at("skins").size(); ++s) read_skin(glb, s);
+    if (glb.json.contains("skins"))
+        for (std::size_t s = 0; s < glb.json.at("skins").size(); ++s) read_skin(glb, s);
+    read_rigid_meshes(glb);
     for (std::size_t a = 0; a < glb.json.at("animations").size(); ++a) read_clip(glb, a);
 }
 
@@ -262,6 +264,20 @@ void ReferenceAnimal::read_skin(const Glb& glb, std::size_t index) {
     for (Box& box : skin.boxes)
         if (box.low[0] > box.high[0]) box = whole;
     skins.push_back(std::move(skin));
+}
+
+void ReferenceAnimal::read_rigid_meshes(const Glb& glb) {
+    for (std::size_t n = 0; n < glb.json["nodes"].size(); ++n) {
+        const Json& node = glb.json["nodes"][n];
+        if (!node.contains("mesh") || node.contains("skin")) continue;
+        ReferenceRigidMesh rigid{n, {}};
+        const Json& mesh = glb.json.at("meshes").at(node["mesh"].get<std::size_t>());
+        for (const Json& primitive : mesh.at("primitives")) {
+            const std::vector<double> positions = glb.numbers(primitive.at("attributes").at("POSITION"));
+            for (std::size_t v = 0; v < positions.size() / 3; ++v) grow(rigid.box, positions, v);
+        }
+        rigid_meshes.push_back(rigid);
+    }
 }
 
 void ReferenceAnimal::read_clip(const Glb& glb, std::size_t index) {

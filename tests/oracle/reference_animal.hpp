@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ReferenceAnimal: a skinned GLB as glTF 2.0 words it, read and posed in double precision.
+// ReferenceAnimal: an animated GLB as glTF 2.0 words it, read and posed in double precision.
 //
 // Written to be compared with the compiler, and therefore sharing no line with it: its own chunks,
 // accessors, key search and interpolation (std::acos and std::sin), straight from the specification, slow and
@@ -54,6 +54,12 @@ struct ReferenceSkin {
     std::vector<Box> boxes;
 };
 
+// A node that draws a mesh: the box of its vertices, in the space of the node.
+struct ReferenceRigidMesh {
+    std::size_t node;
+    Box box;
+};
+
 class Glb;
 
 class ReferenceAnimal {
@@ -65,7 +71,8 @@ class ReferenceAnimal {
     std::vector<Affine> globals(const ReferenceClip& clip, double time_s) const;
 
     std::vector<ReferenceSkin> skins;
-    std::vector<ReferenceClip> clips;  // in the order of the file
+    std::vector<ReferenceRigidMesh> rigid_meshes;  // of nodes with a mesh and without a skin
+    std::vector<ReferenceClip> clips;              // in the order of the file
 
  private:
     struct Node {
@@ -77,6 +84,7 @@ class ReferenceAnimal {
 
     void read_nodes(const Glb& glb);
     void read_skin(const Glb& glb, std::size_t index);
+    void read_rigid_meshes(const Glb& glb);
     void read_clip(const Glb& glb, std::size_t index);
     Affine local(std::size_t node, const ReferenceClip& clip, double time_s) const;
     void resolve(std::size_t node, const ReferenceClip& clip, double time_s, std::vector<Affine>& out,

@@ -83,13 +83,17 @@ export class ThreeAnimal {
         const skins = json.skins?.length ?? 0;
         const skeletons = [];
         for (let s = 0; s < skins; ++s) skeletons.push(await gltf.parser.getDependency('skin', s));
-        return new ThreeAnimal(json, gltf, skeletons);
+        const nodes = [];
+        for (let n = 0; n < (json.nodes?.length ?? 0); ++n)
+            nodes.push(await gltf.parser.getDependency('node', n));
+        return new ThreeAnimal(json, gltf, skeletons, nodes);
     }
 
-    constructor(json, gltf, skeletons) {
+    constructor(json, gltf, skeletons, nodes) {
         this.json = json;
         this.clips = gltf.animations; // in the order of the file
         this.skeletons = skeletons; // of each glTF skin; bones in the order of its joints
+        this.nodes = nodes; // of each glTF node
         this.scenes = gltf.scenes;
         for (const clip of this.clips)
             for (const track of clip.tracks) {
@@ -97,7 +101,8 @@ export class ThreeAnimal {
                 normalizeRotations(track);
             }
         this.root = new THREE.Group();
-        this.root.add(...gltf.scenes);
+        // posepack reads the nodes of all scenes, and those of none.
+        this.root.add(...gltf.scenes, ...nodes.filter((node) => node.parent === null));
         this.mixer = new THREE.AnimationMixer(this.root);
         this.rest = [];
         this.root.traverse((object) => {
@@ -120,6 +125,13 @@ export class ThreeAnimal {
         return meshes;
     }
 
+    // The meshes of three.js (one a glTF primitive) that a glTF node draws itself.
+    rigidMeshes(node) {
+        const object = this.nodes[node];
+        const drawn = this.nodes.filter((other) => other !== object);
+        return [object, ...object.children].filter((mesh) => mesh.isMesh && !drawn.includes(mesh));
+    }
+
     // Makes one clip the only one that plays. Nodes that it has no channel for return to their rest pose.
     play(clipIndex) {
         this.mixer.stopAllAction();
@@ -136,7 +148,8 @@ export class ThreeAnimal {
         this.action.play();
     }
 
-    // Poses the skeletons at glTF time `timeS`: skeleton.boneMatrices are then joint global x inverse bind.
+    // Poses all at glTF time `timeS`: skeleton.boneMatrices are then joint global x inverse bind, and matrixWorld of
+    // nodes their global transforms.
     pose(timeS) {
         this.action.time = timeS;
         this.mixer.update(0);

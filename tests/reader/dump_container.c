@@ -167,7 +167,7 @@ static void print_bones(const posepack_view* view) {
 static void print_space(const posepack_view* view) {
     posepack_space space;
     posepack_mesh mesh;
-    uint32_t i, joint, bone;
+    uint32_t i, joint, bone = POSEPACK_NONE;
     if (posepack_get_space(view, &space) != POSEPACK_OK) exit(3);
     printf("space model_from_palette");
     print_floats(space.model_from_palette, 12);
@@ -182,8 +182,12 @@ static void print_space(const posepack_view* view) {
         printf("\n  palette_from_mesh");
         print_floats(mesh.palette_from_mesh, 12);
         printf("\n  joints");
-        for (joint = 0; posepack_map_joint(view, i, joint, &bone) == POSEPACK_OK; ++joint)
-            printf(" %" PRIu32, bone);
+        for (joint = 0; joint < mesh.joint_count; ++joint) {
+            if (posepack_map_joint(view, i, joint, &bone) == POSEPACK_OK)
+                printf(" %" PRIu32, bone);
+            else
+                printf(bone == POSEPACK_NONE ? " none" : " ?");
+        }
         printf("\n");
     }
 }

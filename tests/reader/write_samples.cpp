@@ -34,7 +34,14 @@ int write_good(const fs::path& folder) {
         options.measured = (variant / 3 & 8) != 0;
         options.closing_row = (variant / 3 & 16) != 0 && options.encoding == POSEPACK_ENCODING_DUALQUAT;
         options.rows_per_line = variant / 96 + 1;
-        write(folder / ("variant_" + std::to_string(variant) + ".posepack"), make_container(options));
+        Bytes bytes = make_container(options);
+        if (variant % 7 == 1) {  // a joint without a bone
+            const std::size_t joints = section_offset(bytes, POSEPACK_SECTION_BONE) +
+                                       POSEPACK_BONE_HEAD_BYTES + 3 * POSEPACK_BONE_RECORD_BYTES;
+            put_u16(bytes, joints + 2 * (variant % 5), POSEPACK_NO_BONE);
+            seal(bytes);
+        }
+        write(folder / ("variant_" + std::to_string(variant) + ".posepack"), bytes);
         ++written;
     }
     return written;

@@ -202,13 +202,16 @@ std::vector<recipe::OutputOverrides> all_forms() {
                 // Both pitches occur with every value of each of the other three.
                 const bool is_tight =
                     (encoding == recipe::Encoding::mat4) != (order == recipe::TexelOrder::planar);
-                forms.push_back(
-                    {encoding, format, order, is_tight ? recipe::RowPitch::tight : recipe::RowPitch::align256,
-                     std::nullopt,
-                     // mat4 in model space and the others normalised; in planar order the other way.
-                     (encoding == recipe::Encoding::mat4) == (order == recipe::TexelOrder::planar)
-                         ? recipe::Space::normalised
-                         : recipe::Space::model});
+                recipe::OutputOverrides form;
+                form.encoding = encoding;
+                form.texel_format = format;
+                form.texel_order = order;
+                form.row_pitch = is_tight ? recipe::RowPitch::tight : recipe::RowPitch::align256;
+                // mat4 in model space and the others normalised; in planar order the other way.
+                form.space = (encoding == recipe::Encoding::mat4) == (order == recipe::TexelOrder::planar)
+                                 ? recipe::Space::normalised
+                                 : recipe::Space::model;
+                forms.push_back(form);
             }
     return forms;
 }

@@ -5,6 +5,7 @@
 
 #include "palette/container_writer.hpp"
 #include "palette/encode.hpp"
+#include "palette/spaces.hpp"
 
 namespace posepack::support {
 namespace {
@@ -40,6 +41,7 @@ Baked bake_all(const animal::Animal& animal, const recipe::OutputOptions& output
                                          palette.layout.row_count);
     if (!layout) throw std::runtime_error(base::format_issue(layout.issue()));
     palette.layout = layout.value();
+    palette.spaces = palette::model_space(animal);
     palette::RowEncoder encoder(palette.layout);
     const palette::BoneBoxes boxes(animal);
     std::vector<motion::Affine> bones(animal.bones.size());

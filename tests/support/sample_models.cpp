@@ -41,6 +41,19 @@ std::vector<float> swing(std::size_t key_count, double degrees, double phase, do
     return turns(rotations);
 }
 
+// a x b, affine, column by column; summed in double.
+Matrix16 product(const Matrix16& a, const Matrix16& b) {
+    Matrix16 out{};
+    for (std::size_t c = 0; c < 4; ++c)
+        for (std::size_t r = 0; r < 4; ++r) {
+            double sum = 0.0;
+            for (std::size_t k = 0; k < 4; ++k)
+                sum += static_cast<double>(a[4 * k + r]) * static_cast<double>(b[4 * c + k]);
+            out[4 * c + r] = static_cast<float>(sum);
+        }
+    return out;
+}
+
 }  // namespace
 
 ModelSpec one_bone(std::vector<float> positions) {
@@ -85,6 +98,33 @@ ModelSpec tail() {
                     {4, "scale", hop_times, {1, 1, 1, 1, 1.5f, 0.75f, 2, 1, 1}}}},
                   {"Rig|Blink",
                    {{3, "translation", {0, 0.25f, 0.5f}, {0.5f, 0, 0, 0.5f, 0.25f, 0, 0.6f, 0, 0}, "STEP"}}}};
+    return spec;
+}
+
+Matrix16 fold_matrix() {
+    // 40 times a quarter turn about y, then a move: its inverse is exact in floats.
+    return {0, 0, -40, 0, 0, 40, 0, 0, 40, 0, 0, 0, 0.5f, -2, 1.25f, 1};
+}
+
+ModelSpec folded_twice(ModelSpec spec) {
+    const Matrix16 x = fold_matrix();
+    SkinSpec skin = spec.skins[0];
+    for (Matrix16& bind : skin.inverse_binds) bind = product(bind, x);
+    spec.skins.push_back(skin);
+    MeshSpec mesh = spec.meshes[0];
+    mesh.name = "Folded";
+    mesh.skin = 1;
+    for (std::size_t v = 0; v < mesh.positions.size(); v += 3) {
+        const float p[3] = {mesh.positions[v] - x[12], mesh.positions[v + 1] - x[13],
+                            mesh.positions[v + 2] - x[14]};
+        const float n[3] = {mesh.normals[v], mesh.normals[v + 1], mesh.normals[v + 2]};
+        for (std::size_t r = 0; r < 3; ++r) {
+            const float* column = &x[4 * r];  // a turn times 40: its inverse is its transpose by 1600
+            mesh.positions[v + r] = (column[0] * p[0] + column[1] * p[1] + column[2] * p[2]) / 1600;
+            mesh.normals[v + r] = (column[0] * n[0] + column[1] * n[1] + column[2] * n[2]) / 40;
+        }
+    }
+    spec.meshes.push_back(mesh);
     return spec;
 }
 

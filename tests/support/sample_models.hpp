@@ -15,6 +15,13 @@ ModelSpec one_bone(std::vector<float> positions = {1, 0, 0, 0, 1, 0, 0, 0, 1});
 // loop at 30 Hz), "Rig|Hop" (CUBICSPLINE translation and LINEAR scale, open) and "Rig|Blink" (STEP).
 ModelSpec tail();
 
+// A model of one skinned mesh, its body twice in one place: the second mesh has its vertices turned, moved
+// and made 40 times smaller (by the inverse of X), and inverse binds that undo it, those of the first times
+// X.
+ModelSpec folded_twice(ModelSpec spec);
+// The X of folded_twice(), column by column.
+Matrix16 fold_matrix();
+
 // Reads a GLB that must be good: throws what read_animal answers when it is not.
 animal::Animal read_good(const Bytes& glb);
 inline animal::Animal animal_of(const ModelSpec& spec) {

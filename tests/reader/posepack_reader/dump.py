@@ -7,7 +7,7 @@ import struct
 from posepack_reader.dualquat import dualquat_matrices
 from posepack_reader.framing import HEADER_FIELDS, HEADER_FLOATS
 from posepack_reader.sample import Sampler
-from posepack_reader.values import NONE, value
+from posepack_reader.values import NO_BONE, NONE, value
 
 # Bits of the phases at which poses are printed: NaN, 0.001, 0.1, a third, a half, 0.72, the last below 1, 1 and 2.
 PHASES = (0x7FC00000, 0x3A83126F, 0x3DCCCCCD, 0x3EAAAAAB, 0x3F000000, 0x3F3851EC, 0x3F7FFFFF, 0x3F800000, 0x40000000)
@@ -121,6 +121,6 @@ def dump(container):
         yield (f"mesh {number} {quoted(mesh['name'])} node {mesh['node']} mesh {mesh['mesh']} skin {mesh['skin']} "
                f"vertices {mesh['vertex_count']}")
         yield f"  palette_from_mesh {hex_list(mesh['palette_from_mesh'])}"
-        yield "  joints" + "".join(f" {bone}" for bone in mesh["joints"])
+        yield "  joints" + "".join(" none" if bone == NO_BONE else f" {bone}" for bone in mesh["joints"])
     yield from dump_rows(container)
     yield from dump_samples(container)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Header values, strings, bones, spaces and meshes (sections 3 and 5 to 7; rules H, S, B and M)."""
-from posepack_reader.values import (NONE, Refused, is_finite, is_index, is_positive, is_zero, require, u16, u32, u32s,
+from posepack_reader.values import (NO_BONE, NONE, Refused, is_finite, is_index, is_positive, is_zero, require, u16, u32, u32s,
                                     value)
 
 TEXELS = {1: 4, 2: 3, 3: 2}  # of a bone, by encoding
@@ -57,7 +57,7 @@ class Tables:
         end = joints + 2 * joint_count
         require(len(data) == -(-end // 4) * 4)  # B2
         self.joint_map = [u16(data, joints + 2 * i) for i in range(joint_count)]
-        require(all(bone < count for bone in self.joint_map))  # B3
+        require(all(bone < count or bone == NO_BONE for bone in self.joint_map))  # B3
         self.bones = []
         for at in range(16, joints, 16):
             name, parent, flags, node = u32s(data, at, 4)

@@ -3,6 +3,7 @@
 import struct
 
 NONE = 0xFFFFFFFF
+NO_BONE = 0xFFFF  # of a joint that moves no vertex
 
 
 class Refused(Exception):

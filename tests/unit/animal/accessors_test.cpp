@@ -96,8 +96,7 @@ TEST(Accessors, JointsAndWeightsOfBytes) {
         glb.add_values(std::vector<std::uint8_t>{255, 0, 0, 0, 127, 128, 0, 0}, "VEC4", true);
     const Animal animal = support::read_good(glb.build());
     EXPECT_TRUE(animal.findings.empty());
-    for (const auto& weights : animal.vertices.weights)
-        EXPECT_EQ(weights, (std::array<float, 4>{1, 0, 0, 0}));
+    for (const auto& weights : animal.vertices.weights) EXPECT_EQ(weights, (InfluenceWeights{1, 0, 0, 0}));
 }
 
 TEST(Accessors, RotationsOfShorts) {

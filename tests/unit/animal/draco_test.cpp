@@ -23,8 +23,7 @@ using support::GlbBuilder;
 using support::Json;
 
 // A vertex with all it has; Draco may put them in another order.
-using Vertex = std::tuple<std::array<float, 3>, std::array<float, 3>, std::array<std::uint16_t, 4>,
-                          std::array<float, 4>>;
+using Vertex = std::tuple<std::array<float, 3>, std::array<float, 3>, InfluenceBones, InfluenceWeights>;
 
 std::vector<Vertex> sorted_vertices(const Animal& animal) {
     std::vector<Vertex> out;

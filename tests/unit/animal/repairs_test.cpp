@@ -47,7 +47,7 @@ TEST(Repairs, WeightsAreCountedInVertices) {
     const base::Issue finding = only_finding(animal, IssueCode::warn_weights);
     EXPECT_EQ(finding.where, "meshes/0/primitives/0");
     EXPECT_NE(finding.detail.find("found 3 vertices "), std::string::npos) << finding.detail;
-    EXPECT_EQ(animal.vertices.weights[0], (std::array<float, 4>{1, 0, 0, 0}));
+    EXPECT_EQ(animal.vertices.weights[0], (InfluenceWeights{1, 0, 0, 0}));
 }
 
 TEST(Repairs, AVertexWithoutWeightsFollowsItsNeighbour) {
@@ -100,6 +100,12 @@ TEST(Repairs, WhatThePaletteCannotMoveIsNamed) {
         std::count_if(animal.findings.begin(), animal.findings.end(),
                       [](const base::Issue& f) { return f.code == IssueCode::warn_left_out; });
     EXPECT_EQ(left_out, 3) << "a rigid mesh, morph targets, a channel of morph weights";
+    const auto says = [&](const std::string& part) {
+        return std::count_if(animal.findings.begin(), animal.findings.end(),
+                             [&](const base::Issue& f) { return f.detail.find(part) != std::string::npos; });
+    };
+    EXPECT_EQ(says("1 rigid mesh that nothing moves: not in the palette (Saddle)"), 1);
+    EXPECT_EQ(says("'Rig|Wag' blends morph targets of 'Skin'"), 1) << "the clip and the mesh";
     EXPECT_EQ(animal.clips[0].channels.size(), 2u);
 }
 

@@ -198,6 +198,14 @@ TEST(Doctor, NamesEveryOddity) {
     }
 }
 
+TEST(Doctor, FoldedSkinsAreToldOf) {
+    const Diagnosis found = examined(support::glb_of(support::folded_twice(support::tail())));
+    ASSERT_TRUE(found.skeleton);
+    EXPECT_EQ(found.skeleton->bone_count, 3u);
+    const std::vector<std::string> ids = oddities_of(found);
+    EXPECT_EQ(std::count(ids.begin(), ids.end(), "folded-skins"), 1);
+}
+
 TEST(Doctor, OdditiesOfClipsAndBones) {
     ModelSpec spec = support::one_bone();
     spec.nodes.push_back({{"name", "Helper"}});

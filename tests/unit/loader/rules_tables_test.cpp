@@ -139,6 +139,8 @@ TEST(Rules, Bones) {
         {"B2", "a joint map shorter than the section", u32(kBone, POSEPACK_BONE_HEAD_JOINT_MAP_COUNT, 4)},
         {"B2", "four bytes more", resize(kBone, 4)},
         {"B3", "a joint of no bone", u16(kBone, kJoints + 4, 3)},
+        {"B3", "a joint without a bone", u16(kBone, kJoints + 4, 0xFFFF), POSEPACK_OK},
+        {"B3", "one below that", u16(kBone, kJoints + 4, 0xFFFE)},
         {"B4", "name", u32(kBone, kBone1 + POSEPACK_BONE_NAME, 11)},
         {"B4", "no name", u32(kBone, kBone1 + POSEPACK_BONE_NAME, POSEPACK_NONE)},
         {"B5", "a parent of no bone", u32(kBone, kBone1 + POSEPACK_BONE_PARENT, 3)},

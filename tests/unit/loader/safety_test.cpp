@@ -387,6 +387,9 @@ TEST(Safety, IndicesThatChangeAfterOpenAreCheckedAgain) {
 
     put_u16(bytes, joints, 3);
     EXPECT_EQ(posepack_map_joint(&view, 0, 0, &value), POSEPACK_ERROR_INDEX);
+    put_u16(bytes, joints, POSEPACK_NO_BONE);
+    EXPECT_EQ(posepack_map_joint(&view, 0, 0, &value), POSEPACK_ERROR_NOT_FOUND);
+    EXPECT_EQ(value, POSEPACK_NONE);
     put_u32(bytes, body + POSEPACK_MESH_JOINT_COUNT, 0xFFFFFFFF);
     EXPECT_EQ(posepack_map_joint(&view, 0, 5, &value), POSEPACK_ERROR_INDEX);
     put_u32(bytes, body + POSEPACK_MESH_FIRST_JOINT, 5);

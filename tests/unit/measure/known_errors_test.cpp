@@ -10,6 +10,7 @@
 #include "measure/decode_cost.hpp"
 #include "measure/measure_error.hpp"
 #include "measure/skin_difference.hpp"
+#include "posepack/format.h"
 #include "support/baked.hpp"
 #include "support/sample_models.hpp"
 

@@ -137,6 +137,12 @@ TEST(CatalogFaults, OfAnAnimal) {
          "/animals/deer/output/texel_format"},
         {deer(R"("output":{"texel_order":"bone_major"})"), IssueCode::cat_value,
          "/animals/deer/output/texel_order"},
+        {deer(R"("output":{"influences":"8"})"), IssueCode::cat_type, "/animals/deer/output/influences"},
+        {deer(R"("output":{"influences":6})"), IssueCode::cat_value, "/animals/deer/output/influences"},
+        {deer(R"("output":{"influences":0})"), IssueCode::cat_value, "/animals/deer/output/influences"},
+        {deer(R"("output":{"influences":16})"), IssueCode::cat_range, "/animals/deer/output/influences"},
+        {deer(R"("output":{"unused_bones":"remove"})"), IssueCode::cat_value,
+         "/animals/deer/output/unused_bones"},
         {deer(R"("output":{"row_pitch":"256"})"), IssueCode::cat_value, "/animals/deer/output/row_pitch"},
     });
 }

@@ -29,7 +29,8 @@ constexpr std::string_view kFull = R"({
     "schema": 1,
     "defaults": {"rate_hz": 24, "metres_per_unit": 0.01, "forward": "-z",
                  "output": {"encoding": "mat4", "texel_format": "rgba32f", "texel_order": "planar",
-                            "row_pitch": "align256", "caps": "desktop"}},
+                            "row_pitch": "align256", "caps": "desktop", "influences": 8,
+                            "unused_bones": "drop"}},
     "keywords": {"wander": ["walk", "trot"], "rest": ["sleep"]},
     "animals": {
         "wolf": {"model": "dogs/wolf.glb",
@@ -39,7 +40,8 @@ constexpr std::string_view kFull = R"({
                  "default_state": "stroll",
                  "keywords": {"rest": [], "hunt": ["bite"]},
                  "metres_per_unit": 1, "forward": "+x",
-                 "output": {"encoding": "affine", "caps": "webgl2"}},
+                 "output": {"encoding": "affine", "caps": "webgl2", "influences": 4,
+                            "unused_bones": "keep"}},
         "Bear": {"model": "bear.glb", "rate_hz": "keys"},
         "cat": {"model": "cat.glb"}
     }
@@ -115,12 +117,16 @@ TEST(ReadCatalog, OverlaysUnitsAndOutputOptions) {
     EXPECT_EQ(cat.output.texel_order, TexelOrder::planar);
     EXPECT_EQ(cat.output.row_pitch, RowPitch::align256);
     EXPECT_EQ(cat.output.caps, Caps::desktop);
+    EXPECT_EQ(cat.output.influences, 8u);
+    EXPECT_EQ(cat.output.unused_bones, UnusedBones::drop);
     const AnimalEntry& wolf = catalog.animals[2];
     EXPECT_EQ(wolf.metres_per_unit, 1.0);
     EXPECT_EQ(wolf.forward, ForwardAxis::plus_x);
     EXPECT_EQ(wolf.output.encoding, Encoding::affine);
     EXPECT_EQ(wolf.output.texel_format, TexelFormat::rgba32f);
     EXPECT_EQ(wolf.output.caps, Caps::webgl2);
+    EXPECT_EQ(wolf.output.influences, 4u);
+    EXPECT_EQ(wolf.output.unused_bones, UnusedBones::keep);
 }
 
 TEST(ReadCatalog, LetsTheCommandLineWin) {
@@ -130,12 +136,16 @@ TEST(ReadCatalog, LetsTheCommandLineWin) {
     overrides.texel_order = TexelOrder::bone_major;
     overrides.row_pitch = RowPitch::tight;
     overrides.caps = Caps::webgl2;
+    overrides.influences = 4;
+    overrides.unused_bones = UnusedBones::keep;
     for (const AnimalEntry& animal : read(kFull, overrides).animals) {
         EXPECT_EQ(animal.output.encoding, Encoding::affine);
         EXPECT_EQ(animal.output.texel_format, TexelFormat::rgba16f);
         EXPECT_EQ(animal.output.texel_order, TexelOrder::bone_major);
         EXPECT_EQ(animal.output.row_pitch, RowPitch::tight);
         EXPECT_EQ(animal.output.caps, Caps::webgl2);
+        EXPECT_EQ(animal.output.influences, 4u);
+        EXPECT_EQ(animal.output.unused_bones, UnusedBones::keep);
     }
 }
 
@@ -148,8 +158,9 @@ TEST(CanonicalJson, LeavesOutIdAndPath) {
         deer.canonical_json,
         R"({"clips":[],"default_state":"","forward":"+z","keywords":{"attack":["attack","bite"],)"
         R"("flee":["run","gallop"],"idle":["idle"],"wander":["walk"]},"metres_per_unit":1.0,)"
-        R"("output":{"bound":null,"caps":"webgl2","encoding":"affine","row_pitch":"tight","space":"normalised","texel_format":"rgba16f",)"
-        R"("texel_order":"bone-major"},"rate_hz":"keys"})");
+        R"("output":{"bound":null,"caps":"webgl2","encoding":"affine","influences":4,"row_pitch":"tight",)"
+        R"("space":"normalised","texel_format":"rgba16f","texel_order":"bone-major","unused_bones":"keep"},)"
+        R"("rate_hz":"keys"})");
 }
 
 TEST(CanonicalJson, DependsOnWhatIsBakedAndNotOnHowItIsWritten) {

@@ -57,6 +57,9 @@ TEST(ReadManifest, GivesBackEveryField) {
     EXPECT_EQ(deer.vram.dualquat_rgba16f, 8u);
     EXPECT_EQ(deer.vram.vat_rgba16f, 7u);
     EXPECT_FALSE(manifest.value().records[1].has_vram);
+    EXPECT_TRUE(deer.reduction.measured);
+    EXPECT_EQ(deer.reduction.influences_most, 7u);
+    EXPECT_FALSE(manifest.value().records[1].reduction.measured);
     EXPECT_EQ(deer.remarks, expected.records[0].remarks);
 }
 
@@ -122,6 +125,8 @@ TEST(ReadManifest, RefusesWrongValues) {
              {"\"options\": {", "\"options\": {\"only\": \"deer\","},
              {"\"options\": {", "\"options\": {\"only\": [\"../deer\"],"},
              {"\"options\": {", "\"options\": {\"caps\": \"small\","},
+             {"\"options\": {", "\"options\": {\"influences\": 5,"},
+             {"\"options\": {", "\"options\": {\"unused_bones\": true,"},
              {"\"encoding\": \"affine\",\n   \"error\"", "\"encoding\": \"dual\",\n   \"error\""},
              {"\"ffff", "\"FFFF"},
              {"\"ffff", "\"fff"},

@@ -71,6 +71,22 @@ inline BakeRecord sample_record(const std::string& id) {
     return record;
 }
 
+inline ReductionRecord sample_reduction() {
+    ReductionRecord reduction;
+    reduction.measured = true;
+    reduction.vertex_count = 31;
+    reduction.influences_most = 7;
+    reduction.max = 2.5e-3f;
+    reduction.rms = 1.25e-4f;
+    reduction.max_m = 2.5e-4f;
+    reduction.rms_m = 1.25e-5f;
+    reduction.clip = "Walk";
+    reduction.time_s = 0.75f;
+    reduction.mesh = "Body";
+    reduction.vertex = 412;
+    return reduction;
+}
+
 inline Manifest sample_manifest() {
     BakeRecord deer = sample_record("deer");
     deer.clips = {sample_clip("Walk", "loop", 0), sample_clip("D\xC3\xA4mmern", "ping-pong", 24)};
@@ -78,14 +94,16 @@ inline Manifest sample_manifest() {
     deer.states = {{"idle", "D\xC3\xA4mmern"}, {"wander", "Walk"}};
     deer.default_state = "idle";
     deer.error = sample_error("Walk");
+    deer.reduction = sample_reduction();
     deer.has_vram = true;
     deer.vram = {1, 2, 3, 4, 8, 5, 6, 7};
     deer.remarks = {"warning[W-CLIP-RATE]: Walk: baked at 30 Hz"};
-    return {3,
-            "0.1.0",
-            std::string(64, 'f'),
-            R"({"encoding":"affine","only":["deer","fox"],"rate_hz":23.976,"strict":true})",
-            {deer, sample_record("fox")}};
+    return {
+        3,
+        "0.1.0",
+        std::string(64, 'f'),
+        R"({"encoding":"affine","influences":8,"only":["deer","fox"],"rate_hz":23.976,"strict":true,"unused_bones":"drop"})",
+        {deer, sample_record("fox")}};
 }
 
 }  // namespace posepack::recipe
