@@ -34,8 +34,8 @@ int run(const Options& options) {
     int exit_code = 0;
     for (const stress::CaseResult& result : results.value())
         if (!result.difference.empty())
-            exit_code = fail({base::IssueCode::stress_differs, std::string(result.stress_case->name),
-                              result.difference});
+            exit_code = fail(
+                {base::IssueCode::stress_differs, std::string(result.stress_case->name), result.difference});
     return exit_code;
 }
 

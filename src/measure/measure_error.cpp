@@ -23,8 +23,8 @@ using motion::SkinSet;
 using palette::ClipError;
 
 constexpr double kDegrees = 180.0 / base::kPi;
-// Bends of dual quaternions that a second look at the quarters is worth: in R, and of the largest error found half
-// way, where a bend shows nothing.
+// Bends of dual quaternions that a second look at the quarters is worth: in R, and of the largest error found
+// half way, where a bend shows nothing.
 constexpr double kWorthLooking = 3e-4;
 constexpr double kShareWorthLooking = 0.5;
 

@@ -72,8 +72,8 @@ double bend_between(const Affine& from, const Affine& to, const palette::BoneMom
     const glm::dvec3 shift = change * moment.centroid;
     const double way =
         std::sqrt(glm::dot(shift, shift)) + std::sqrt(square_sum(change.linear)) * moment.radius;
-    // A blend of two quaternions runs ahead of an even turn, or behind it, by theta^3 / 24 u (1 - u) (1 - 2 u) at
-    // the share u: by nothing half way, and by theta^2 / 256 of the way at a quarter.
+    // A blend of two quaternions runs ahead of an even turn, or behind it, by theta^3 / 24 u (1 - u) (1 - 2
+    // u) at the share u: by nothing half way, and by theta^2 / 256 of the way at a quarter.
     return std::max(square_angle, 0.0) * way / 256.0;
 }
 

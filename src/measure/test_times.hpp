@@ -21,11 +21,12 @@ std::vector<double> test_times_s(const palette::PaletteClip& clip, std::span<con
                                  std::span<const double> jump_times_s = {}, Parts parts = Parts::halves);
 
 // How far a blend of the dual quaternions of `from` and `to` (matrices of one bone in palette space) is off a
-// quarter of the way along, in units of palette space: a rough bound, right within a factor of two for a turn. Half way such
-// a blend is right, and a measurement there tells nothing.
+// quarter of the way along, in units of palette space: a rough bound, right within a factor of two for a
+// turn. Half way such a blend is right, and a measurement there tells nothing.
 double bend_between(const motion::Affine& from, const motion::Affine& to, const palette::BoneMoment& moment);
 
-// The largest bend_between over all bones of a clip and all spans between its rows and keys, as a fraction of R.
+// The largest bend_between over all bones of a clip and all spans between its rows and keys, as a fraction of
+// R.
 //   moments  of every bone
 double largest_bend(const animal::Animal& animal, const palette::Palette& palette,
                     const palette::PaletteClip& clip, motion::ClipSampler& sampler,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A skinned, animated model in glTF's own terms, as plain lists: nothing is derived, nothing is mended, and key
-// times lie where they are put. For models that are hard on purpose, where model.hpp is for animals.
+// A skinned, animated model in glTF's own terms, as plain lists: nothing is derived, nothing is mended, and
+// key times lie where they are put. For models that are hard on purpose, where model.hpp is for animals.
 #pragma once
 
 #include <array>
@@ -50,8 +50,8 @@ struct RawModel {
     std::vector<RawClip> clips;
 };
 
-// Sets the inverse binds to the inverses of the nodes' global transforms at rest, so that the mesh binds where
-// it lies. Scales must not be zero.
+// Sets the inverse binds to the inverses of the nodes' global transforms at rest, so that the mesh binds
+// where it lies. Scales must not be zero.
 void bind_at_rest(RawModel& model);
 
 // The bytes of the GLB: the same on every host.

@@ -105,10 +105,9 @@ Json clip_json(GlbBuffer& buffer, const RawClip& clip) {
         bound(buffer.accessor(times), channel.times_s, 1);
         const int values = buffer.add_animation_accessor(
             payload_of(channel.values), width == 4 ? "VEC4" : "VEC3", channel.values.size() / width);
-        channels.push_back({{"sampler", samplers.size()},
-                            {"target",
-                             {{"node", channel.node},
-                              {"path", kPaths[static_cast<std::size_t>(channel.path)]}}}});
+        channels.push_back(
+            {{"sampler", samplers.size()},
+             {"target", {{"node", channel.node}, {"path", kPaths[static_cast<std::size_t>(channel.path)]}}}});
         samplers.push_back({{"input", times},
                             {"output", values},
                             {"interpolation", kWords[static_cast<std::size_t>(channel.interpolation)]}});

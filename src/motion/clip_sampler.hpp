@@ -37,8 +37,8 @@ class ClipSampler {
     // True when a channel that changes is a cubic spline: it may bend as it likes between two keys.
     bool has_splines() const;
 
-    // Times at which the source jumps, seconds after the first key of the clip; sorted: STEP keys of another value
-    // than the one before, and keys within 1e-6 s of one of another value.
+    // Times at which the source jumps, seconds after the first key of the clip; sorted: STEP keys of another
+    // value than the one before, and keys within 1e-6 s of one of another value.
     std::vector<double> jump_times_s() const;
 
     // Key times of the channels that change, seconds after the first key of the clip; sorted, and one

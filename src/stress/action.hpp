@@ -16,7 +16,8 @@ struct Bound {
     double max = 0.0, p999 = 0.0;
 };
 
-// Without any of these the first choice, dual quaternions in halves at the rows of the start, meets the bound.
+// Without any of these the first choice, dual quaternions in halves at the rows of the start, meets the
+// bound.
 struct Action {
     bool switches_form = false;                // to matrices, or to floats
     bool adds_rows = false;                    // more than the start has

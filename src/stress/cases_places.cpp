@@ -40,8 +40,7 @@ RawModel mesh_10_km_away() {
 RawModel travel_10_km() {
     RawModel model = carried_reed();
     std::vector<RawChannel> channels = swaying(model, grid(61, kKeyHz), kSwayDegrees, 1.0);
-    channels[0] =
-        moving(0, grid(2, 0.5), [](double time_s) { return Vec3(5'000.0 * time_s, 0.0, 0.0); });
+    channels[0] = moving(0, grid(2, 0.5), [](double time_s) { return Vec3(5'000.0 * time_s, 0.0, 0.0); });
     return with_clip(model, channels);
 }
 
@@ -78,9 +77,8 @@ RawModel far_pivot(double away_m) {
     model.nodes[0].translation = Vec3(away_m, 0.0, 0.0);
     model.nodes[1].translation = Vec3(-away_m, 0.0, 0.0);
     bind_at_rest(model);
-    return with_clip(model, {turning(0, grid(31, kKeyHz), [](double time_s) {
-                         return turn_about(kAxisY, 60.0 * time_s);
-                     })});
+    return with_clip(model, {turning(0, grid(31, kKeyHz),
+                                     [](double time_s) { return turn_about(kAxisY, 60.0 * time_s); })});
 }
 RawModel far_pivot_1_km() {
     return far_pivot(1'000.0);
@@ -94,7 +92,8 @@ RawModel far_pivot_100_km() {
 RawModel arrow_100_m() {
     RawModel model = reed();
     std::vector<RawChannel> channels = swaying(model, grid(31, kKeyHz), kSwayDegrees, 1.0);
-    channels.push_back(moving(3, grid(2, 1.0), [](double time_s) { return Vec3(100.0 * time_s, 0.25, 0.0); }));
+    channels.push_back(
+        moving(3, grid(2, 1.0), [](double time_s) { return Vec3(100.0 * time_s, 0.25, 0.0); }));
     return with_clip(model, channels);
 }
 
@@ -127,43 +126,85 @@ RawModel no_size() {
 
 constexpr std::array kCases = {
     StressCase{"one_metre", "nothing: what the others are compared with", one_metre, {}, kUsual, {kMeets}},
-    StressCase{"bone_10_km_away", "a bone carries the mesh 10 km away: halves step by 8 m there",
-               bone_10_km_away, {}, kUsual, {kMeets}},
-    StressCase{"mesh_10_km_away", "the vertices themselves lie at 10 km: floats step by 1 mm there",
-               mesh_10_km_away, {}, kUsual, {kMeets}},
-    StressCase{"travel_30_m", "the root walks 30 m in the clip, 60 R", travel_30_m, {}, kUsual, {kSwitchesForm}},
-    StressCase{"travel_10_km", "the root flies 10 km in the clip, 20,000 R", travel_10_km, {}, kUsual,
-               {kSwitchesForm}},
-    StressCase{"arrow_100_m", "one joint shoots 100 m away, 200 R", arrow_100_m, {}, kUsual,
-               {kSwitchesAndAddsRows}},
-    StressCase{"far_pivot_1_km", "a turn about a point 1 km away", far_pivot_1_km, {}, kUsual,
-               {kSwitchesForm}},
-    StressCase{"far_pivot_100_km", "a turn about a point 100 km away: beyond halves, and floats step by 8 mm",
-               far_pivot_100_km, {}, kUsual, {refuses(IssueCode::lim_bound)}},
-    StressCase{"unseen_joint_flies_off", "a joint without vertices leaves the range of halves",
-               unseen_joint_flies_off, {}, kUsual, {kSwitchesForm}},
-    StressCase{"scales_that_cancel", "a scale of 1,000 above one of 0.001", scales_that_cancel, {}, kUsual,
+    StressCase{"bone_10_km_away",
+               "a bone carries the mesh 10 km away: halves step by 8 m there",
+               bone_10_km_away,
+               {},
+               kUsual,
                {kMeets}},
-    StressCase{"insect_1_mm", "halves of millimetres are subnormal, which some GPUs read as zero",
-               insect_1_mm, {}, kUsual, {kMeets}},
+    StressCase{"mesh_10_km_away",
+               "the vertices themselves lie at 10 km: floats step by 1 mm there",
+               mesh_10_km_away,
+               {},
+               kUsual,
+               {kMeets}},
+    StressCase{
+        "travel_30_m", "the root walks 30 m in the clip, 60 R", travel_30_m, {}, kUsual, {kSwitchesForm}},
+    StressCase{"travel_10_km",
+               "the root flies 10 km in the clip, 20,000 R",
+               travel_10_km,
+               {},
+               kUsual,
+               {kSwitchesForm}},
+    StressCase{
+        "arrow_100_m", "one joint shoots 100 m away, 200 R", arrow_100_m, {}, kUsual, {kSwitchesAndAddsRows}},
+    StressCase{
+        "far_pivot_1_km", "a turn about a point 1 km away", far_pivot_1_km, {}, kUsual, {kSwitchesForm}},
+    StressCase{"far_pivot_100_km",
+               "a turn about a point 100 km away: beyond halves, and floats step by 8 mm",
+               far_pivot_100_km,
+               {},
+               kUsual,
+               {refuses(IssueCode::lim_bound)}},
+    StressCase{"unseen_joint_flies_off",
+               "a joint without vertices leaves the range of halves",
+               unseen_joint_flies_off,
+               {},
+               kUsual,
+               {kSwitchesForm}},
+    StressCase{"scales_that_cancel",
+               "a scale of 1,000 above one of 0.001",
+               scales_that_cancel,
+               {},
+               kUsual,
+               {kMeets}},
+    StressCase{"insect_1_mm",
+               "halves of millimetres are subnormal, which some GPUs read as zero",
+               insect_1_mm,
+               {},
+               kUsual,
+               {kMeets}},
     StressCase{"mite_10_um", "every half of ten micrometres is subnormal", mite_10_um, {}, kUsual, {kMeets}},
-    StressCase{"speck_1e_20", "squares of its errors are below the smallest float", speck_1e_20, {}, kUsual,
+    StressCase{"speck_1e_20",
+               "squares of its errors are below the smallest float",
+               speck_1e_20,
+               {},
+               kUsual,
                {kMeets}},
     StressCase{"whale_70_m", "a half steps by 16 mm beyond 32 m", whale_70_m, {}, kUsual, {kMeets}},
     StressCase{"giant_1000_km", "no half reaches 65,505", giant_1000_km, {}, kUsual, {kMeets}},
-    StressCase{"armature_of_100", "centimetres and Z up under an armature 100 times too large",
-               armature_of_100, {}, kUsual, {kMeets}},
-    StressCase{"no_size", "all vertices in one point: no R to be a fraction of", no_size, {}, kUsual,
+    StressCase{"armature_of_100",
+               "centimetres and Z up under an armature 100 times too large",
+               armature_of_100,
+               {},
+               kUsual,
+               {kMeets}},
+    StressCase{"no_size",
+               "all vertices in one point: no R to be a fraction of",
+               no_size,
+               {},
+               kUsual,
                {refuses(IssueCode::glb_no_extent), "a rest pose with a size"}},
 };
 
 }  // namespace
 
 CaseGroup place_cases() {
-    return {"Places and sizes",
-            "In the normalised space neither a far origin nor any size of the animal costs anything; only a clip "
-            "that itself travels thousands of R needs floats.",
-            kCases, true};
+    return {
+        "Places and sizes",
+        "In the normalised space neither a far origin nor any size of the animal costs anything; only a clip "
+        "that itself travels thousands of R needs floats.",
+        kCases, true};
 }
 
 }  // namespace posepack::stress

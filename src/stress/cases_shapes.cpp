@@ -35,11 +35,10 @@ RawModel mirror() {
 
 // One joint's scale over time, while the one above it turns.
 RawModel scaled(const std::function<Vec3(double)>& scale) {
-    return with_clip(reed(), {turning(1, grid(31, 30.0),
-                                      [](double time_s) {
-                                          return turn_about(kAxisX, 25.0 * sine_of_turns(time_s));
-                                      }),
-                              scaling(2, grid(31, 30.0), scale)});
+    return with_clip(reed(),
+                     {turning(1, grid(31, 30.0),
+                              [](double time_s) { return turn_about(kAxisX, 25.0 * sine_of_turns(time_s)); }),
+                      scaling(2, grid(31, 30.0), scale)});
 }
 
 RawModel breathing() {
@@ -58,9 +57,8 @@ RawModel scale_through_zero() {
     return scaled([](double time_s) { return Vec3(1.0 - 2.0 * std::round(time_s * 30.0) / 30.0); });
 }
 RawModel flat_for_a_moment() {
-    return scaled([](double time_s) {
-        return Vec3(1.0, 1.0, std::abs(1.0 - 2.0 * std::round(time_s * 30.0) / 30.0));
-    });
+    return scaled(
+        [](double time_s) { return Vec3(1.0, 1.0, std::abs(1.0 - 2.0 * std::round(time_s * 30.0) / 30.0)); });
 }
 
 // Born a thousandth of its size, as small as the rest pose, and grown by a million.
@@ -124,40 +122,85 @@ constexpr Start kLoop{.wrap = recipe::Wrap::loop};
 constexpr std::array kCases = {
     StressCase{"breathing", "a joint that grows to 1.5 and back", breathing, kLoop, kUsual, {kMeets}},
     StressCase{"shear", "turns below a scale of (1, 3, 1): bones shear", shear, {}, kUsual, {kSwitchesForm}},
-    StressCase{"squash_and_stretch", "a joint stretches to 1.5 and thins by as much", squash_and_stretch,
-               kLoop, kUsual, {kSwitchesForm}},
-    StressCase{"anisotropy_1_01", "a stretch of 1 %: 3 mm of a metre", anisotropy_1_01, {}, kUsual,
+    StressCase{"squash_and_stretch",
+               "a joint stretches to 1.5 and thins by as much",
+               squash_and_stretch,
+               kLoop,
+               kUsual,
                {kSwitchesForm}},
-    StressCase{"anisotropy_1_0005", "a stretch of 0.05 %, which nobody sees", anisotropy_1_0005, {}, kUsual,
+    StressCase{
+        "anisotropy_1_01", "a stretch of 1 %: 3 mm of a metre", anisotropy_1_01, {}, kUsual, {kSwitchesForm}},
+    StressCase{"anisotropy_1_0005",
+               "a stretch of 0.05 %, which nobody sees",
+               anisotropy_1_0005,
+               {},
+               kUsual,
                {kMeets}},
     StressCase{"mirror", "a mirrored bone: a negative determinant", mirror, {}, kUsual, {kMeets}},
-    StressCase{"scale_to_zero", "a joint shrinks to nothing and grows again: a kink, and no rotation there",
-               scale_to_zero, {}, kUsual, {kMeets}},
-    StressCase{"scale_through_zero", "a joint shrinks through nothing to its mirror image",
-               scale_through_zero, {}, kUsual, {kMeets}},
-    StressCase{"flat_for_a_moment", "a joint is flat for a moment: a singular matrix that is not zero",
-               flat_for_a_moment, {}, kUsual, {kSwitchesForm}},
-    StressCase{"growth_of_a_million", "born at a thousandth, grown by a million, R that of the birth",
-               growth_of_a_million, {}, kUsual, {refuses(IssueCode::lim_bound)}},
-    StressCase{"hidden_at_rest", "a part is hidden at rest by a scale of 1e-6 and shown in the clip",
-               hidden_at_rest, {}, kUsual, {kMeets}},
-    StressCase{"alternating_signs", "keys are q and -q in turn, which turn alike", alternating_signs, {},
-               kUsual, {kMeets}},
-    StressCase{"one_turn_a_loop", "one whole turn a loop: it ends at -q, no choice of signs closes it",
-               one_turn_a_loop, kLoop, kUsual, {kMeets}},
-    StressCase{"two_turns_a_loop", "two whole turns a loop: signs close", two_turns_a_loop, kLoop, kUsual,
+    StressCase{"scale_to_zero",
+               "a joint shrinks to nothing and grows again: a kink, and no rotation there",
+               scale_to_zero,
+               {},
+               kUsual,
                {kMeets}},
-    StressCase{"cubic_rotation_through_zero", "a cubic spline of rotations through the quaternion 0",
-               cubic_rotation_through_zero, {}, kUsual, {kMeets}},
-    StressCase{"cubic_rotation_near_zero", "the same past 0 at a distance: 355 degrees in a moment",
-               cubic_rotation_near_zero, {}, kUsual, {refuses(IssueCode::lim_bound)}},
+    StressCase{"scale_through_zero",
+               "a joint shrinks through nothing to its mirror image",
+               scale_through_zero,
+               {},
+               kUsual,
+               {kMeets}},
+    StressCase{"flat_for_a_moment",
+               "a joint is flat for a moment: a singular matrix that is not zero",
+               flat_for_a_moment,
+               {},
+               kUsual,
+               {kSwitchesForm}},
+    StressCase{"growth_of_a_million",
+               "born at a thousandth, grown by a million, R that of the birth",
+               growth_of_a_million,
+               {},
+               kUsual,
+               {refuses(IssueCode::lim_bound)}},
+    StressCase{"hidden_at_rest",
+               "a part is hidden at rest by a scale of 1e-6 and shown in the clip",
+               hidden_at_rest,
+               {},
+               kUsual,
+               {kMeets}},
+    StressCase{"alternating_signs",
+               "keys are q and -q in turn, which turn alike",
+               alternating_signs,
+               {},
+               kUsual,
+               {kMeets}},
+    StressCase{"one_turn_a_loop",
+               "one whole turn a loop: it ends at -q, no choice of signs closes it",
+               one_turn_a_loop,
+               kLoop,
+               kUsual,
+               {kMeets}},
+    StressCase{
+        "two_turns_a_loop", "two whole turns a loop: signs close", two_turns_a_loop, kLoop, kUsual, {kMeets}},
+    StressCase{"cubic_rotation_through_zero",
+               "a cubic spline of rotations through the quaternion 0",
+               cubic_rotation_through_zero,
+               {},
+               kUsual,
+               {kMeets}},
+    StressCase{"cubic_rotation_near_zero",
+               "the same past 0 at a distance: 355 degrees in a moment",
+               cubic_rotation_near_zero,
+               {},
+               kUsual,
+               {refuses(IssueCode::lim_bound)}},
 };
 
 }  // namespace
 
 CaseGroup shape_cases() {
     return {"Shapes and signs",
-            "Uniform scales, mirrors and zero fit dual quaternions; stretch and shear do not, and go to matrices. "
+            "Uniform scales, mirrors and zero fit dual quaternions; stretch and shear do not, and go to "
+            "matrices. "
             "Signs of quaternions are aligned along the rows, and a closing row ends an odd number of turns.",
             kCases};
 }

@@ -13,7 +13,8 @@ using base::IssueCode;
 
 // A wave that runs along a chain of 2 m and curls it.
 RawModel wave_on(int joints) {
-    const RawModel model = reed({.joints = joints, .length = 2.0, .thickness = 0.05, .rings = 2 * joints + 1});
+    const RawModel model =
+        reed({.joints = joints, .length = 2.0, .thickness = 0.05, .rings = 2 * joints + 1});
     return with_clip(model, swaying(model, grid(31, kKeyHz), 160.0 / joints, 1.0));
 }
 RawModel wave_on_8() {
@@ -73,32 +74,65 @@ RawModel inverse_bind_is_nan() {
 
 constexpr std::array kCases = {
     StressCase{"wave_on_8_joints", "a wave on a chain of 2 m", wave_on_8, {}, kUsual, {kMeets}},
-    StressCase{"wave_on_32_joints", "the same on 32 joints: errors must not add up along the chain",
-               wave_on_32, {}, kUsual, {kMeets}},
+    StressCase{"wave_on_32_joints",
+               "the same on 32 joints: errors must not add up along the chain",
+               wave_on_32,
+               {},
+               kUsual,
+               {kMeets}},
     StressCase{"wave_on_128_joints", "the same on 128 joints", wave_on_128, {}, kUsual, {kMeets}},
-    StressCase{"weights_of_0_98", "weights that sum to 0.98, 10 m out: unrepaired 0.4 R", weights_of_0_98, {},
-               kUsual, {kMeets, "", IssueCode::warn_weights}},
-    StressCase{"weights_of_0_18", "weights that sum to 0.18, as one real file has them", weights_of_0_18, {},
-               kUsual, {kMeets, "", IssueCode::warn_weights}},
-    StressCase{"weight_is_nan", "a weight that is no number", weight_is_nan, {}, kUsual,
+    StressCase{"weights_of_0_98",
+               "weights that sum to 0.98, 10 m out: unrepaired 0.4 R",
+               weights_of_0_98,
+               {},
+               kUsual,
                {kMeets, "", IssueCode::warn_weights}},
-    StressCase{"position_is_nan", "a position that is no number", position_is_nan, {}, kUsual,
+    StressCase{"weights_of_0_18",
+               "weights that sum to 0.18, as one real file has them",
+               weights_of_0_18,
+               {},
+               kUsual,
+               {kMeets, "", IssueCode::warn_weights}},
+    StressCase{"weight_is_nan",
+               "a weight that is no number",
+               weight_is_nan,
+               {},
+               kUsual,
+               {kMeets, "", IssueCode::warn_weights}},
+    StressCase{"position_is_nan",
+               "a position that is no number",
+               position_is_nan,
+               {},
+               kUsual,
                {refuses(IssueCode::glb_number)}},
-    StressCase{"position_is_infinite", "a position at infinity", position_is_infinite, {}, kUsual,
+    StressCase{"position_is_infinite",
+               "a position at infinity",
+               position_is_infinite,
+               {},
+               kUsual,
                {refuses(IssueCode::glb_number)}},
-    StressCase{"singular_inverse_bind", "an inverse bind that flattens: legal, and no similarity",
-               singular_inverse_bind, {}, kUsual, {kSwitchesForm}},
-    StressCase{"inverse_bind_is_nan", "an inverse bind that is no number", inverse_bind_is_nan, {}, kUsual,
+    StressCase{"singular_inverse_bind",
+               "an inverse bind that flattens: legal, and no similarity",
+               singular_inverse_bind,
+               {},
+               kUsual,
+               {kSwitchesForm}},
+    StressCase{"inverse_bind_is_nan",
+               "an inverse bind that is no number",
+               inverse_bind_is_nan,
+               {},
+               kUsual,
                {refuses(IssueCode::glb_number)}},
 };
 
 }  // namespace
 
 CaseGroup skin_cases() {
-    return {"Skins",
-            "Rows hold whole skinning matrices, so errors do not add up along a chain. Weights are repaired and "
-            "counted; what has no repair is refused with its place.",
-            kCases};
+    return {
+        "Skins",
+        "Rows hold whole skinning matrices, so errors do not add up along a chain. Weights are repaired and "
+        "counted; what has no repair is refused with its place.",
+        kCases};
 }
 
 }  // namespace posepack::stress

@@ -41,10 +41,9 @@ std::vector<Trial> trials() {
     std::vector<Trial> all;
     for (const unsigned factor : kRowFactors)
         for (const Form& form : kForms) all.push_back({form, factor});
-    std::stable_sort(all.begin(), all.end(),
-                     [](const Trial& a, const Trial& b) {
-                         return std::pair(a.size(), bytes_of(a.form)) < std::pair(b.size(), bytes_of(b.form));
-                     });
+    std::stable_sort(all.begin(), all.end(), [](const Trial& a, const Trial& b) {
+        return std::pair(a.size(), bytes_of(a.form)) < std::pair(b.size(), bytes_of(b.form));
+    });
     return all;
 }
 

@@ -19,11 +19,11 @@ namespace {
 
 using motion::Affine;
 
-constexpr double kEqualTimesS = 1e-6;     // times closer than this are one
-constexpr double kEdge = 1e-3;            // of a span: how near to its ends it is looked at
+constexpr double kEqualTimesS = 1e-6;                     // times closer than this are one
+constexpr double kEdge = 1e-3;                            // of a span: how near to its ends it is looked at
 constexpr std::size_t kFewestSteps = 3, kMostSteps = 16;  // in the span between two rows or keys
 constexpr std::size_t kTimesAClip = 6000;                 // beyond it there are fewer steps
-constexpr double kLargestError = 1e30;    // what counts for anything that is not a number
+constexpr double kLargestError = 1e30;                    // what counts for anything that is not a number
 
 struct Vec {
     float x = 0, y = 0, z = 0;
@@ -109,7 +109,8 @@ class Errors {
         if (all_.empty()) return {};
         double sum = 0.0;
         for (const float error : all_) sum += static_cast<double>(error) * static_cast<double>(error);
-        const auto rank = static_cast<std::ptrdiff_t>(std::ceil(0.999 * static_cast<double>(all_.size()))) - 1;
+        const auto rank =
+            static_cast<std::ptrdiff_t>(std::ceil(0.999 * static_cast<double>(all_.size()))) - 1;
         std::nth_element(all_.begin(), all_.begin() + rank, all_.end());
         return {static_cast<double>(*std::max_element(all_.begin(), all_.end())),
                 static_cast<double>(all_[static_cast<std::size_t>(rank)]),
@@ -126,9 +127,9 @@ std::vector<double> marks_of(const ReaderClip& clip, std::vector<double> marks, 
         if (row_time_s(clip, row) <= duration_s) marks.push_back(row_time_s(clip, row));
     marks.push_back(duration_s);
     std::sort(marks.begin(), marks.end());
-    marks.erase(std::unique(marks.begin(), marks.end(),
-                            [](double a, double b) { return b - a < kEqualTimesS; }),
-                marks.end());
+    marks.erase(
+        std::unique(marks.begin(), marks.end(), [](double a, double b) { return b - a < kEqualTimesS; }),
+        marks.end());
     return marks;
 }
 

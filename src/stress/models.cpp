@@ -43,7 +43,8 @@ void add_reed(RawModel& model, const Reed& shape, int parent) {
     const int first_joint = static_cast<int>(model.nodes.size());
     const Vec3 step(0.0, shape.length / shape.joints, 0.0);
     for (int joint = 0; joint < shape.joints; ++joint)
-        model.nodes.push_back({"joint " + std::to_string(joint), joint == 0 ? parent : first_joint + joint - 1,
+        model.nodes.push_back({"joint " + std::to_string(joint),
+                               joint == 0 ? parent : first_joint + joint - 1,
                                joint == 0 ? shape.foot : step});
     for (int ring = 0; ring < shape.rings; ++ring)
         add_ring(model, shape, first_joint, static_cast<double>(ring) / (shape.rings - 1));
@@ -107,7 +108,8 @@ RawChannel scaling(int node, const std::vector<float>& times_s, const std::funct
 }
 
 double decayed(double x) {
-    // exp(-x) = 1 / exp(x / 1024)^1024: the series is exact to a double for small x, and ten squarings follow.
+    // exp(-x) = 1 / exp(x / 1024)^1024: the series is exact to a double for small x, and ten squarings
+    // follow.
     const double y = x / 1024.0;
     double power = 1.0;
     for (int term = 12; term > 0; --term) power = 1.0 + power * y / term;

@@ -9,6 +9,7 @@
 
 namespace posepack::stress {
 
+using menagerie::cosine_of_turns;
 using menagerie::Interpolation;
 using menagerie::kAxisX;
 using menagerie::kAxisY;
@@ -18,13 +19,12 @@ using menagerie::RawChannel;
 using menagerie::RawClip;
 using menagerie::RawModel;
 using menagerie::RawPath;
-using menagerie::cosine_of_turns;
 using menagerie::sine_of_turns;
 using menagerie::turn_about;
 using menagerie::Vec3;
 
-// A tube of rings along +Y with a chain of joints inside, each turning where its part begins. Neighbouring joints
-// share the rings between them.
+// A tube of rings along +Y with a chain of joints inside, each turning where its part begins. Neighbouring
+// joints share the rings between them.
 struct Reed {
     int joints = 4;
     double length = 1.0;     // units
@@ -34,8 +34,8 @@ struct Reed {
 };
 RawModel reed(const Reed& shape = {});
 
-// The same body under node 0, a joint without vertices that the body binds to where it would stand without it:
-// its place, turn and scale carry the body away.
+// The same body under node 0, a joint without vertices that the body binds to where it would stand without
+// it: its place, turn and scale carry the body away.
 RawModel carried_reed(const Reed& shape = {});
 
 // `count` times from `first_s` on, `rate_hz` a second, as floats.

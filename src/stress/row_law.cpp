@@ -24,8 +24,8 @@ float loop_phase(const posepack_clip& clip, double time_s, const Reader& reader)
 }
 
 float once_phase(const posepack_clip& clip, double time_s, const Reader& reader) {
-    const float passed_s = reader.has_raw_clock ? passed_in_floats(reader.running_s, time_s)
-                                                : static_cast<float>(time_s);
+    const float passed_s =
+        reader.has_raw_clock ? passed_in_floats(reader.running_s, time_s) : static_cast<float>(time_s);
     return std::clamp(passed_s / clip.period_s, 0.0f, 1.0f);
 }
 

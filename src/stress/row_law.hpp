@@ -25,8 +25,8 @@ struct RowPair {
     float factor = 0.0f;
 };
 
-// The rows that show clip time `time_s`, 0 up to the period. The clip is looked at `reader.running_s` into the run
-// of the program, or at most one period earlier, so that this time of it shows.
+// The rows that show clip time `time_s`, 0 up to the period. The clip is looked at `reader.running_s` into
+// the run of the program, or at most one period earlier, so that this time of it shows.
 RowPair rows_at(const ReaderClip& clip, double time_s, const Reader& reader);
 
 // Clip time of a row, seconds.

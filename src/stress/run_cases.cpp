@@ -21,13 +21,14 @@ namespace {
 using base::Issue;
 using base::IssueCode;
 
-// A bake is judged by what it prints. What it draws may be found worse by as much as docs/error_metric.md allows:
-// times that it did not look at, and the rounding of the shader.
+// A bake is judged by what it prints. What it draws may be found worse by as much as docs/error_metric.md
+// allows: times that it did not look at, and the rounding of the shader.
 constexpr double kSeenShare = 0.97;
 constexpr double kUnseen = 5e-4;  // R
 
 bool is_held(const Amounts& amounts, const Bound& bound) {
-    return amounts.max <= bound.max / kSeenShare + kUnseen && amounts.p999 <= bound.p999 / kSeenShare + kUnseen;
+    return amounts.max <= bound.max / kSeenShare + kUnseen &&
+           amounts.p999 <= bound.p999 / kSeenShare + kUnseen;
 }
 
 void note_warnings(std::span<const Issue> findings, Found& found) {
@@ -125,7 +126,8 @@ class CaseRun {
                                                                     : recipe::Encoding::dualquat;
         form.texel_format = view.header.texel_format == POSEPACK_TEXEL_RGBA16F ? recipe::TexelFormat::rgba16f
                                                                                : recipe::TexelFormat::rgba32f;
-        form.space = (view.header.space_flags & POSEPACK_SPACE_NORMALISED) != 0 ? recipe::Space::normalised : recipe::Space::model;
+        form.space = (view.header.space_flags & POSEPACK_SPACE_NORMALISED) != 0 ? recipe::Space::normalised
+                                                                                : recipe::Space::model;
         return form;
     }
 

@@ -92,8 +92,10 @@ std::string stress_json(std::span<const CaseResult> results, double bound_factor
     for (const CaseResult& result : results) cases.push_back(case_json(result));
     const bool ok = std::all_of(results.begin(), results.end(),
                                 [](const CaseResult& result) { return result.difference.empty(); });
-    const Json out{
-        {"schema", "posepack-stress-1"}, {"ok", ok}, {"bound_factor", bound_factor}, {"cases", std::move(cases)}};
+    const Json out{{"schema", "posepack-stress-1"},
+                   {"ok", ok},
+                   {"bound_factor", bound_factor},
+                   {"cases", std::move(cases)}};
     return out.dump(1);
 }
 

@@ -42,8 +42,9 @@ std::vector<output::Column> form_columns(bool of_default_space) {
     for (const Form& form : all_forms()) {
         if (is_default_space(form) != of_default_space) continue;
         Form named = form;
-        if (!of_default_space) named.space = named.space == recipe::Space::model ? recipe::Space::normalised
-                                                                                 : recipe::Space::model;
+        if (!of_default_space)
+            named.space =
+                named.space == recipe::Space::model ? recipe::Space::normalised : recipe::Space::model;
         columns.push_back({label_of(named)});
     }
     return columns;
@@ -91,9 +92,18 @@ void for_each_group(std::span<const CaseResult> results, const Print& print) {
 
 TextTable details_table(const CaseResult& result) {
     TextTable table;
-    table.columns = {{"form", Align::left}, {"rows"},      {"bytes"},        {"max at rows"},
-                     {"max"},               {"p99.9"},     {"rms"},          {"printed max"},
-                     {"printed p99.9"},     {"printed rms"}, {"normals deg"}, {"refused with", Align::left}};
+    table.columns = {{"form", Align::left},
+                     {"rows"},
+                     {"bytes"},
+                     {"max at rows"},
+                     {"max"},
+                     {"p99.9"},
+                     {"rms"},
+                     {"printed max"},
+                     {"printed p99.9"},
+                     {"printed rms"},
+                     {"normals deg"},
+                     {"refused with", Align::left}};
     for (const FormResult& form : result.forms) {
         if (form.refusal) {
             std::vector<std::string> cells(table.columns.size(), "-");
@@ -105,16 +115,16 @@ TextTable details_table(const CaseResult& result) {
         table.rows.push_back({label_of(form.form), std::to_string(form.row_count),
                               std::to_string(form.texel_bytes), amount(form.drawn.rows.max),
                               amount(form.drawn.all.max), amount(form.drawn.all.p999),
-                              amount(form.drawn.all.rms), amount(form.printed.max),
-                              amount(form.printed.p999), amount(form.printed.rms),
-                              fmt::format("{:.2g}", form.normal_max_deg), ""});
+                              amount(form.drawn.all.rms), amount(form.printed.max), amount(form.printed.p999),
+                              amount(form.printed.rms), fmt::format("{:.2g}", form.normal_max_deg), ""});
     }
     return table;
 }
 
 std::string outcome_text(const CaseResult& result) {
-    std::string text = fmt::format("bound: max {} R, p99.9 {} R\nwhat happens: {}\n", amount(result.bound.max),
-                                   amount(result.bound.p999), text_of(result.found.action));
+    std::string text =
+        fmt::format("bound: max {} R, p99.9 {} R\nwhat happens: {}\n", amount(result.bound.max),
+                    amount(result.bound.p999), text_of(result.found.action));
     if (result.chosen)
         text += fmt::format("chosen: {}, {}, {} bytes: max {} R, p99.9 {} R\n", label_of(result.chosen->form),
                             base::counted(result.chosen->row_count, "row"),
@@ -130,10 +140,11 @@ std::string outcome_text(const CaseResult& result) {
 std::string counts(std::span<const CaseResult> results) {
     const auto differing = std::count_if(results.begin(), results.end(),
                                          [](const CaseResult& result) { return !result.difference.empty(); });
-    return fmt::format("{}: {} as expected, {} not. Errors are the largest, as drawn in 32-bit float, in "
-                       "fractions of R.\n",
-                       base::counted(results.size(), "case"),
-                       results.size() - static_cast<std::size_t>(differing), differing);
+    return fmt::format(
+        "{}: {} as expected, {} not. Errors are the largest, as drawn in 32-bit float, in "
+        "fractions of R.\n",
+        base::counted(results.size(), "case"), results.size() - static_cast<std::size_t>(differing),
+        differing);
 }
 
 }  // namespace
@@ -155,8 +166,9 @@ std::string stress_text(std::span<const CaseResult> results) {
     for_each_group(results, [&text](const CaseGroup& group, std::span<const CaseResult> of_group) {
         text += fmt::format("{}\n\n{}\n", group.title, main_table(of_group));
         if (!group.in_both_spaces) return;
-        text += fmt::format("The same in the other space: mat4 normalised, affine and dualquat in model space\n\n{}\n",
-                            other_space_table(of_group));
+        text += fmt::format(
+            "The same in the other space: mat4 normalised, affine and dualquat in model space\n\n{}\n",
+            other_space_table(of_group));
     });
     return text + counts(results);
 }

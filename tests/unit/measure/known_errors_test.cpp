@@ -124,15 +124,15 @@ TEST(KnownErrors, AMotionOfTheRootLeavesThemUnchanged) {
     }
 }
 
-// Squares of the errors of the smaller ones are below the smallest float, of the larger ones above the largest.
+// Squares of the errors of the smaller ones are below the smallest float, of the larger ones above the
+// largest.
 TEST(KnownErrors, DoNotDependOnTheSizeOfAnAnimal) {
     float of_one = 0.0f;
     for (const double size : {1.0, 1e-25, 1e-15, 1e15, 1e25}) {
         const auto length = static_cast<float>(size);
         ModelSpec spec = support::one_bone({length, 0, 0, 0, length, 0, 0, 0, length});
         spec.clips = {
-            {"Turn",
-             {{0, "rotation", support::grid(2, 1), turns({turn(0, 0, 0, 1), turn(30, 0, 0, 1)})}}}};
+            {"Turn", {{0, "rotation", support::grid(2, 1), turns({turn(0, 0, 0, 1), turn(30, 0, 0, 1)})}}}};
         const Measured m = measured(spec, support::in_floats(), {1.0, recipe::Wrap::once, {}});
         if (size == 1.0) of_one = m.stats.pooled.max;
         EXPECT_NEAR(m.stats.pooled.max, of_one, of_one * 1e-4) << size;
@@ -144,10 +144,9 @@ TEST(KnownErrors, DoNotDependOnTheSizeOfAnAnimal) {
 // Between the rows before and behind a step the blend is never further off than just before it.
 TEST(KnownErrors, AStepAmongCurvesCountsInFull) {
     ModelSpec spec = support::one_bone();
-    spec.clips = {
-        {"Leap",
-         {{0, "translation", {0, 0.5f, 1}, {0, 0, 0, 1, 0, 0, 1, 0, 0}, "STEP"},
-          {0, "rotation", support::grid(31, 30), turns(std::vector(31, turn(0, 0, 0, 1)))}}}};
+    spec.clips = {{"Leap",
+                   {{0, "translation", {0, 0.5f, 1}, {0, 0, 0, 1, 0, 0, 1, 0, 0}, "STEP"},
+                    {0, "rotation", support::grid(31, 30), turns(std::vector(31, turn(0, 0, 0, 1)))}}}};
     spec.clips[0].channels[1].values[7] = 0.99999f;  // so that not all that changes is STEP
     const Measured m = measured(spec, support::in_floats(), {std::nullopt, recipe::Wrap::once, {}});
     ASSERT_FALSE(m.baked.palette.clips[0].plan.step);
@@ -160,8 +159,8 @@ TEST(KnownErrors, AJumpBetweenTwoKeysOfOneTimeCountsInFull) {
     ModelSpec spec = support::one_bone();
     const float jump_s = 0.5f;
     const float next_s = std::nextafter(jump_s, 1.0f);
-    spec.clips = {{"Leap",
-                   {{0, "translation", {0, jump_s, next_s, 1}, {0, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0}}}}};
+    spec.clips = {
+        {"Leap", {{0, "translation", {0, jump_s, next_s, 1}, {0, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0}}}}};
     const Measured m = measured(spec, support::in_floats(), {30.0, recipe::Wrap::once, {}});
     EXPECT_NEAR(m.stats.pooled.max * m.baked.palette.radius, 1.0, 1e-3);
 }

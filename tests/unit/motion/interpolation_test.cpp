@@ -171,7 +171,8 @@ TEST(Jumps, AreStepsAndKeysWithoutTimeBetween) {
 }
 
 TEST(Jumps, OfSplinesCompareValuesNotTangents) {
-    const std::vector<float> keys{0, 0, 0, 0, 0, 0, 9, 0, 0, 5, 0, 0, 0, 0, 0, 9, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0};
+    const std::vector<float> keys{0, 0, 0, 0, 0, 0, 9, 0, 0, 5, 0, 0, 0, 0,
+                                  0, 9, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0};
     const animal::Animal animal = one_channel("translation", {0, 0, 1}, keys, "CUBICSPLINE");
     ClipSampler sampler(animal, animal.clips[0]);
     EXPECT_EQ(sampler.jump_times_s(), std::vector<double>{});

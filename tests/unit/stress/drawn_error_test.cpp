@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "bake/bake_animal.hpp"
-#include "support/sample_models.hpp"
 #include "stress/form.hpp"
+#include "support/sample_models.hpp"
 
 namespace posepack::stress {
 namespace {
@@ -70,7 +70,8 @@ TEST(DrawnError, OfDualQuaternionsIsTheirUnevenPace) {
     const Drawn found = drawn(turning(), {recipe::Encoding::dualquat, recipe::TexelFormat::rgba32f}, 10.0);
     double largest = 0.0;
     for (double u = 0.0; u < 0.5; u += 0.001)
-        largest = std::max(largest, 2 * (u * kPi / 6 - std::atan2(u * std::sin(kPi / 6), 1 - u + u * std::cos(kPi / 6))));
+        largest = std::max(
+            largest, 2 * (u * kPi / 6 - std::atan2(u * std::sin(kPi / 6), 1 - u + u * std::cos(kPi / 6))));
     EXPECT_NEAR(found.error.all.max, largest, largest * 0.02);
     EXPECT_NEAR(found.record.error.max, largest, largest * 0.03) << "as printed";
 }

@@ -17,7 +17,8 @@ namespace posepack::stress {
 namespace {
 
 TEST(Models, DecayAsTheExponentialFunction) {
-    for (double x = 0.0; x < 40.0; x += 1.37) EXPECT_NEAR(decayed(x), std::exp(-x), 1e-12 * std::exp(-x)) << x;
+    for (double x = 0.0; x < 40.0; x += 1.37)
+        EXPECT_NEAR(decayed(x), std::exp(-x), 1e-12 * std::exp(-x)) << x;
     EXPECT_LT(decayed(600.0), 1e-200);
 }
 
@@ -75,8 +76,8 @@ double sampler_error(const animal::Animal& animal, motion::ClipSampler& sampler,
     return largest;
 }
 
-// The source poses that all errors are measured from. Times within 1e-5 s of a jump are left out: the sampler may
-// take a step up to 1e-6 s early.
+// The source poses that all errors are measured from. Times within 1e-5 s of a jump are left out: the sampler
+// may take a step up to 1e-6 s early.
 TEST(Cases, MoveAsASecondEvaluationSays) {
     const std::uint32_t seed = 5;
     std::mt19937 random(seed);

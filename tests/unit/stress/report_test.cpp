@@ -29,11 +29,11 @@ TEST(StressList, NamesEveryCase) {
 }
 
 TEST(StressText, HasALineACaseAndSaysWhatHappens) {
-    const std::string text = stress_text(results_of({"one_metre", "shear", "falling_keys", "spin_180_a_row"}));
-    for (const char* part :
-         {"Places and sizes\n", "\none_metre ", "meets the bound\n", "\nshear ", "SIMILARITY",
-          "switches form to affine 16F\n", "refuses: E-GLB-TIMES\n", "adds rows: 41\n",
-          "4 cases: 4 as expected, 0 not."})
+    const std::string text =
+        stress_text(results_of({"one_metre", "shear", "falling_keys", "spin_180_a_row"}));
+    for (const char* part : {"Places and sizes\n", "\none_metre ", "meets the bound\n", "\nshear ",
+                             "SIMILARITY", "switches form to affine 16F\n", "refuses: E-GLB-TIMES\n",
+                             "adds rows: 41\n", "4 cases: 4 as expected, 0 not."})
         EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
     EXPECT_EQ(text.find("Readers"), std::string::npos) << "groups without a case are left out";
 }
@@ -49,8 +49,8 @@ TEST(StressText, MarksWhatDiffers) {
 TEST(StressDetails, HaveEveryFormAndTheSentence) {
     const std::string text = stress_details(results_of({"shear", "step_off_the_grid"}));
     for (const Form& form : all_forms()) EXPECT_NE(text.find("\n" + label_of(form)), std::string::npos);
-    for (const char* part : {"E-LIM-SIMILARITY", "chosen: affine 16F, 31 rows", "error[E-LIM-BOUND]: step_off_the_grid: ",
-                             "remark: W-CLIP-RATE"})
+    for (const char* part : {"E-LIM-SIMILARITY", "chosen: affine 16F, 31 rows",
+                             "error[E-LIM-BOUND]: step_off_the_grid: ", "remark: W-CLIP-RATE"})
         EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
 }
 
