@@ -91,7 +91,7 @@ motion::Affine turned(double degrees) {
 // Of a bone whose vertices lie about a point `away` from the axis.
 palette::BoneMoment moment_at(double away, double radius) {
     palette::BoneMoment moment;
-    moment.square[3] = {away, 0, 0, 1};
+    moment.centroid = {away, 0, 0};
     moment.radius = radius;
     return moment;
 }
