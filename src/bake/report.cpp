@@ -34,7 +34,9 @@ std::string rows_label(std::optional<double> rate_hz) {
 }
 
 std::string form_label(const recipe::OutputOptions& output) {
-    if (output.bound) return fmt::format("within {:g}{} {}", output.bound->max.value, output.bound->max.in_metres ? " m" : " R", name_of(output.texel_format));
+    if (output.bound)
+        return fmt::format("within {:g}{} {}", output.bound->max.value,
+                           output.bound->max.in_metres ? " m" : " R", name_of(output.texel_format));
     return fmt::format("{} {}", name_of(output.encoding), name_of(output.texel_format));
 }
 
@@ -67,8 +69,9 @@ std::vector<Scheme> schemes_of(const recipe::AnimalEntry& entry,
                 scheme.entry.output.texel_format = format;
                 scheme.entry.rate_hz = rate_hz;
                 for (recipe::ClipWish& wish : scheme.entry.clips) wish.rate_hz = rate_hz;
-                scheme.is_chosen = !has_chosen && !entry.output.bound && own.is_common && own.rate_hz == rate_hz &&
-                                   encoding == entry.output.encoding && format == entry.output.texel_format;
+                scheme.is_chosen = !has_chosen && !entry.output.bound && own.is_common &&
+                                   own.rate_hz == rate_hz && encoding == entry.output.encoding &&
+                                   format == entry.output.texel_format;
                 has_chosen = has_chosen || scheme.is_chosen;
                 schemes.push_back(std::move(scheme));
             }
@@ -91,8 +94,8 @@ std::uint64_t palette_bytes(const recipe::BakeRecord& record) {
 // Runs cost what their form costs, and the run of each influence beside it.
 measure::ShaderCost cost_of(const recipe::BakeRecord& record, recipe::Encoding fixed) {
     if (record.row_scheme != "runs") return measure::shader_cost(fixed);
-    measure::ShaderCost cost = measure::shader_cost(
-        record.encoding == "affine" ? recipe::Encoding::affine : recipe::Encoding::dualquat);
+    measure::ShaderCost cost = measure::shader_cost(record.encoding == "affine" ? recipe::Encoding::affine
+                                                                                : recipe::Encoding::dualquat);
     cost.fetches += 4;
     cost.alu_operations += 24;
     return cost;

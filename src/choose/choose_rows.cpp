@@ -67,7 +67,9 @@ class Search {
             scale_ = std::sqrt(kept_ * broken_);
             return broken_ / kept_ > 1.01 && share < kCloseEnough + (share > 1.0 ? HUGE_VAL : 0.0);
         }
-        scale_ *= share > 1.0 ? std::pow(0.99 / share, 1.25) : std::min(1.3, 0.995 / share);
+        const double back =
+            0.99 / share;  // further than it seems: what is narrower helps less than in proportion
+        scale_ *= share > 1.0 ? back * std::sqrt(std::sqrt(back)) : std::min(1.3, 0.995 / share);
         return share > 1.0 || share < kCloseEnough;
     }
 

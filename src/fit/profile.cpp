@@ -10,6 +10,8 @@ namespace {
 
 constexpr std::size_t kCountedPoints = 20;
 constexpr std::size_t kSamplesCompared = 5;
+// Bins of squares: the exponent of a float and two bits, four an octave of the square.
+constexpr int kBinShift = 21;
 
 struct Influence {
     std::array<float, 3> point;
@@ -101,21 +103,22 @@ void Profile::add(float square, double share) {
     const auto value = static_cast<double>(square);
     square_sum += share * value;
     if (value <= floor_square_) return;
-    // Four bins an octave of the square: the exponent and two bits.
-    constexpr int kShift = 21;
     const auto bin = (std::bit_cast<std::uint32_t>(square) -
                       std::bit_cast<std::uint32_t>(static_cast<float>(floor_square_))) >>
-                     kShift;
+                     kBinShift;
     counts_[std::min<std::size_t>(bin, kBins - 1)] += share;
 }
 
 double Profile::count_above(double distance) const {
-    const double octaves = 2.0 * std::log2(distance * distance / floor_square_) * 2.0;
-    const auto first = static_cast<std::size_t>(std::clamp(std::floor(octaves), 0.0, double{kBins - 1}));
+    const auto bits = [](double square) {
+        return static_cast<double>(std::bit_cast<std::uint32_t>(static_cast<float>(square)));
+    };
+    const double place = (bits(distance * distance) - bits(floor_square_)) / (1 << kBinShift);
+    const auto first = static_cast<std::size_t>(std::clamp(std::floor(place), 0.0, double{kBins - 1}));
     double sum = 0.0;
     for (std::size_t i = first + 1; i < kBins; ++i) sum += counts_[i];
     // Of the bin that the distance falls into, the part above it.
-    return sum + counts_[first] * (1.0 - std::clamp(octaves - static_cast<double>(first), 0.0, 1.0));
+    return sum + counts_[first] * (1.0 - std::clamp(place - static_cast<double>(first), 0.0, 1.0));
 }
 
 Profile profile_of(const Tracks& tracks, const Polyline& line, std::size_t bone, const BonePoints& points,

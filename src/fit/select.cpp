@@ -118,16 +118,16 @@ std::optional<RowSelector::Prices> RowSelector::find_prices(const Limits& limits
     const auto settle = [&](double Prices::*price, double smallest, auto is_kept) {
         prices.*price = 0.0;
         if (is_kept()) return true;
-        double low = std::log2(smallest);
-        double high = low + 70.0;
-        prices.*price = std::exp2(high);
+        double low = smallest;
+        double high = smallest * 0x1p70;
+        prices.*price = high;
         if (!is_kept()) return false;
         for (int i = 0; i < 24; ++i) {
-            const double middle = 0.5 * (low + high);
-            prices.*price = std::exp2(middle);
+            const double middle = std::sqrt(low * high);
+            prices.*price = middle;
             (is_kept() ? high : low) = middle;
         }
-        prices.*price = std::exp2(high);
+        prices.*price = high;
         return true;
     };
     for (int turn = 0; turn < 3; ++turn) {

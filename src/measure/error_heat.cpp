@@ -77,8 +77,7 @@ ClipHeat clip_heat(LanePoses& poses, motion::ClipSampler& sampler, const palette
         }
         take_points(points, poses, std::span(lane_bins).first(lanes), bone_count, heat.errors);
     }
-    for (float& value : heat.errors)
-        value = static_cast<float>(std::sqrt(static_cast<double>(value)));
+    for (float& value : heat.errors) value = static_cast<float>(std::sqrt(static_cast<double>(value)));
     return heat;
 }
 
@@ -86,7 +85,7 @@ ClipHeat clip_heat(LanePoses& poses, motion::ClipSampler& sampler, const palette
 
 base::Result<ErrorHeat> measure_heat(const animal::Animal& animal, const palette::Palette& palette,
                                      std::span<const std::uint8_t> container, const SkinSet& points,
-                                     double bin_width_s) {
+                                     std::span<const Parts> parts, double bin_width_s) {
     posepack_view view;
     if (const posepack_result result = posepack_open(&view, container.data(), container.size());
         result != POSEPACK_OK)
@@ -101,7 +100,9 @@ base::Result<ErrorHeat> measure_heat(const animal::Animal& animal, const palette
     std::uint64_t samples = 0;
     for (const palette::PaletteClip& clip : palette.clips) {
         motion::ClipSampler sampler(animal, animal.clips[clip.source]);
-        const Bins bins = bins_of(test_times_s(clip, sampler.key_times_s(), sampler.jump_times_s()), bin_width_s);
+        const Parts of_clip = parts[heat.clips.size()];
+        const Bins bins =
+            bins_of(test_times_s(clip, sampler.key_times_s(), sampler.jump_times_s(), of_clip), bin_width_s);
         samples += std::uint64_t{bins.times_s.size()} * points.size();
         if (samples > kMaxSamples)
             return base::Issue{

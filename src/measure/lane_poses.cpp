@@ -58,13 +58,12 @@ void LanePoses::fill(motion::ClipSampler& sampler, const palette::PaletteClip& c
     read_pose(clip, time_s);
     for (std::uint32_t b = 0; b < bindings_.size(); ++b) {
         const Affine source = bindings_.source(b, bones_, sampler);
-        const Affine found =
-            bindings_.found(b, affine_of(&blended_[std::size_t{bindings_.bone_of(b)} * 12]));
+        const Affine found = bindings_.found(b, affine_of(&blended_[std::size_t{bindings_.bone_of(b)} * 12]));
         for (int r = 0; r < 3; ++r) {
             for (int c = 0; c < 4; ++c) {
-                const double difference = c < 3 ? found.linear[c][r] - source.linear[c][r]
-                                                : (found.translation[r] - source.translation[r]) *
-                                                      inverse_radius_;
+                const double difference =
+                    c < 3 ? found.linear[c][r] - source.linear[c][r]
+                          : (found.translation[r] - source.translation[r]) * inverse_radius_;
                 const std::size_t e = std::size_t{b} * 12 + static_cast<std::size_t>(r * 4 + c);
                 difference_.values[e * kLanes + lane] = static_cast<float>(difference);
             }

@@ -94,16 +94,20 @@ class ClipMeter {
           points_(in_radii(poses_.bindings().bind(points), inverse_radius_)),
           normals_(poses_.bindings().bind(normals)) {}
 
+    // `parts` receives how finely the clip was looked at in the end.
     // Errors: E-LIM-WORK, before the work is done.
-    base::Result<ClipError> measure(const palette::PaletteClip& clip, Tally& tally) {
+    base::Result<ClipError> measure(const palette::PaletteClip& clip, Tally& tally, Parts& parts) {
         motion::ClipSampler sampler(animal_, animal_.clips[clip.source]);
+        parts = Parts::quarters;
         if (sampler.has_splines()) return measure(clip, sampler, Parts::quarters, tally);
+        parts = Parts::halves;
         auto error = measure(clip, sampler, Parts::halves, tally);
         if (!error || !may_bend(clip)) return error;
         const double bend = largest_bend(animal_, palette_, clip, sampler, moments_);
         if (bend < std::max(kWorthLooking, kShareWorthLooking * static_cast<double>(error.value().max)))
             return error;
         tally.clear();
+        parts = Parts::quarters;
         return measure(clip, sampler, Parts::quarters, tally);
     }
 
@@ -134,10 +138,12 @@ class ClipMeter {
         for (std::size_t first = 0; first < times_s.size(); first += kLanes) {
             const auto batch = std::span(times_s).subspan(first, std::min(kLanes, times_s.size() - first));
             for (std::size_t l = 0; l < batch.size(); ++l) poses_.fill(sampler, clip, batch[l], l);
-            worst_point.take(measure_points(points_, poses_.difference(), batch.size(), tally.distances, tally.sum),
-                             batch);
-            worst_normal.take(
-                measure_normals(normals_, poses_.difference(), poses_.exact(), batch.size(), tally.half_tangents), batch);
+            worst_point.take(
+                measure_points(points_, poses_.difference(), batch.size(), tally.distances, tally.sum),
+                batch);
+            worst_normal.take(measure_normals(normals_, poses_.difference(), poses_.exact(), batch.size(),
+                                              tally.half_tangents),
+                              batch);
             tally.point_samples += batch.size() * points_.size();
             tally.normal_samples += batch.size() * normals_.size();
         }
@@ -149,8 +155,7 @@ class ClipMeter {
     // Whether blends between rows may leave the arc of an even turn.
     bool may_bend(const palette::PaletteClip& clip) const {
         const std::uint8_t encoding = clip.runs.is_empty() ? palette_.layout.encoding : clip.runs.encoding;
-        return encoding == POSEPACK_ENCODING_DUALQUAT && !clip.plan.step &&
-               clip.plan.row_count > 1;
+        return encoding == POSEPACK_ENCODING_DUALQUAT && !clip.plan.step && clip.plan.row_count > 1;
     }
 
     base::Status take_samples(std::size_t time_count, const std::string& clip) {
@@ -175,8 +180,8 @@ class ClipMeter {
             error.time_s = static_cast<float>(point.time_s);
             error.mesh = place.mesh;
             error.vertex = place.vertex;
-            error.bone = poses_.bindings().bone_of(
-                blamed_bone(points_, point.entry, poses_.difference(), 0, true));
+            error.bone =
+                poses_.bindings().bone_of(blamed_bone(points_, point.entry, poses_.difference(), 0, true));
         }
         if (normals_.size() > 0) {
             const Place place = place_of(animal_, normals_, normal.entry);
@@ -187,8 +192,8 @@ class ClipMeter {
             error.normal_time_s = static_cast<float>(normal.time_s);
             error.normal_mesh = place.mesh;
             error.normal_vertex = place.vertex;
-            error.normal_bone = poses_.bindings().bone_of(
-                blamed_bone(normals_, normal.entry, poses_.difference(), 0, false));
+            error.normal_bone =
+                poses_.bindings().bone_of(blamed_bone(normals_, normal.entry, poses_.difference(), 0, false));
         }
     }
 
@@ -218,7 +223,8 @@ base::Result<ErrorStats> measure_error(const Animal& animal, const palette::Pale
     Tally all, one;
     for (std::uint32_t c = 0; c < palette.clips.size(); ++c) {
         one.clear();
-        const auto measured = meter.measure(palette.clips[c], one);
+        Parts parts{};
+        const auto measured = meter.measure(palette.clips[c], one, parts);
         if (!measured) return measured.issue();
         const ClipError& error = measured.value();
         if (!std::isfinite(error.max) || !std::isfinite(error.rms))
@@ -229,6 +235,7 @@ base::Result<ErrorStats> measure_error(const Animal& animal, const palette::Pale
         stats.normal_samples += one.normal_samples;
         if (stats.clips.empty() || error.max > stats.clips[stats.worst_clip].max) stats.worst_clip = c;
         stats.clips.push_back(error);
+        stats.parts.push_back(parts);
     }
     stats.pooled = stats.clips.empty() ? ClipError{} : stats.clips[stats.worst_clip];
     const ClipError pooled = meter.figures(all);

@@ -13,6 +13,7 @@
 
 #include "animal/animal.hpp"
 #include "base/result.hpp"
+#include "measure/test_times.hpp"
 #include "motion/skin_set.hpp"
 #include "palette/palette.hpp"
 
@@ -26,6 +27,7 @@ struct ErrorStats {
     std::vector<palette::ClipError> clips;  // in the order of the palette's clips
     palette::ClipError pooled;              // over all clips: the worst place is in clip `worst_clip`
     std::uint32_t worst_clip = 0;
+    std::vector<Parts> parts;         // one a clip: how finely its spans were looked at
     std::uint64_t point_samples = 0;  // (times x points) compared
     std::uint64_t normal_samples = 0;
 };

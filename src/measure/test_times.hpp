@@ -15,8 +15,8 @@ namespace posepack::measure {
 // How many parts the span between two rows or keys is looked at in: its middle alone, or its quarters.
 enum class Parts { halves = 2, quarters = 4 };
 
-// Rows (under runs those of every bone), keys and the times between them, seconds from the first key of the clip, rising; and the moments just
-// before and behind a jump of the source.
+// Rows (under runs those of every bone), keys and the times between them, seconds from the first key of the
+// clip, rising; and the moments just before and behind a jump of the source.
 std::vector<double> test_times_s(const palette::PaletteClip& clip, std::span<const double> key_times_s,
                                  std::span<const double> jump_times_s = {}, Parts parts = Parts::halves);
 

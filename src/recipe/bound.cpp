@@ -5,10 +5,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/trig.hpp"
+
 namespace posepack::recipe {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 // A number above zero at the front of `text`, which loses it.
 std::optional<double> take_number(std::string_view& text) {
@@ -34,7 +34,8 @@ std::optional<double> take_metres_per_pixel(std::string_view& text) {
     if (!height_px || !take(text, ",")) return std::nullopt;
     const auto field_deg = take_number(text);
     if (!field_deg || *field_deg >= 180.0) return std::nullopt;
-    return 2.0 * *distance_m * std::tan(*field_deg * kPi / 360.0) / *height_px;
+    const double half = *field_deg * base::kPi / 360.0;
+    return 2.0 * *distance_m * base::sine(half) / base::cosine(half) / *height_px;
 }
 
 }  // namespace

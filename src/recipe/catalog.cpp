@@ -121,8 +121,8 @@ void read_bound(const Value& object, std::optional<ErrorBound>* bound) {
 void read_output(const Value& object, OutputOptions* options) {
     const std::optional<Value> output = object.find("output");
     if (!output) return;
-    output->expect_object({"caps", "encoding", "influences", "max_error", "p999_error", "rms_error", "row_pitch",
-                           "space", "texel_format", "texel_order", "unused_bones"});
+    output->expect_object({"caps", "encoding", "influences", "max_error", "p999_error", "rms_error",
+                           "row_pitch", "space", "texel_format", "texel_order", "unused_bones"});
     if (output->find("encoding")) options->bound.reset();
     read_choice(*output, "encoding", &options->encoding);
     read_bound(*output, &options->bound);

@@ -259,9 +259,9 @@ void check_bound(const Value& bound) {
 
 // What the command line set: only what it set is there.
 void check_options(const Value& options) {
-    options.expect_object({"allow_data_uris", "bound", "caps", "compare_vat", "encoding", "influences", "measure",
-                           "only", "rate_hz", "row_pitch", "space", "strict", "texel_format", "texel_order",
-                           "unused_bones"});
+    options.expect_object({"allow_data_uris", "bound", "caps", "compare_vat", "encoding", "influences",
+                           "measure", "only", "rate_hz", "row_pitch", "space", "strict", "texel_format",
+                           "texel_order", "unused_bones"});
     if (const std::optional<Value> bound = options.find("bound")) check_bound(*bound);
     check_choice<Caps>(options, "caps");
     check_choice<Encoding>(options, "encoding");

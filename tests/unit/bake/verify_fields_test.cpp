@@ -62,6 +62,7 @@ class Fields : public testing::Test {
 json other_than(const json& value, const std::string& key) {
     static const std::map<std::string, std::map<std::string, std::string>> choices{
         {"encoding", {{"affine", "mat4"}}},
+        {"row_scheme", {{"uniform", "runs"}}},
         {"texel_format", {{"rgba16f", "rgba32f"}}},
         {"texel_order", {{"bone-major", "planar"}}},
         {"wrap", {{"loop", "once"}, {"once", "loop"}, {"ping-pong", "once"}}},

@@ -290,7 +290,8 @@ TEST(BruteForce, AgreesInEveryCellOfTheHeat) {
         const auto stats = measure_error(animal, baked.palette, baked.container, points, normals);
         ASSERT_TRUE(stats);
         for (const double width_s : {1e-4, 0.07, 0.4, 1e6}) {
-            const auto heat = measure_heat(animal, baked.palette, baked.container, points, width_s);
+            const auto heat =
+                measure_heat(animal, baked.palette, baked.container, points, stats.value().parts, width_s);
             ASSERT_TRUE(heat);
             ASSERT_EQ(heat.value().clips.size(), 3u);
             for (std::size_t c = 0; c < 3; ++c) {
@@ -320,7 +321,7 @@ TEST(BruteForce, HeatNamesTheBoneAndTheTimeOfTheWorstPlace) {
     const motion::SkinSet points = motion::unique_points(animal), normals = motion::unique_normals(animal);
     const support::Baked baked = support::bake_all(animal, {});
     const auto stats = measure_error(animal, baked.palette, baked.container, points, normals);
-    const auto heat = measure_heat(animal, baked.palette, baked.container, points, 0.05);
+    const auto heat = measure_heat(animal, baked.palette, baked.container, points, stats.value().parts, 0.05);
     ASSERT_TRUE(stats && heat);
     for (std::size_t c = 0; c < 3; ++c) {
         const palette::ClipError& error = stats.value().clips[c];
@@ -337,8 +338,8 @@ TEST(BruteForce, HeatOfNoContainerIsRefused) {
     const animal::Animal animal = support::animal_of(support::tail());
     support::Baked baked = support::bake_all(animal, {});
     baked.container[0] ^= 1;
-    const auto heat =
-        measure_heat(animal, baked.palette, baked.container, motion::unique_points(animal), 0.05);
+    const auto heat = measure_heat(animal, baked.palette, baked.container, motion::unique_points(animal),
+                                   std::vector(3, Parts::halves), 0.05);
     ASSERT_FALSE(heat);
     EXPECT_EQ(heat.issue().code, base::IssueCode::internal);
 }
