@@ -157,6 +157,7 @@ std::string figures_html(const AnimalReport& animal, const Series& series) {
 
 std::string figures_html(const std::vector<ReportTotal>& totals, const Series& series) {
     std::vector<Candidate> candidates;
+    candidates.reserve(totals.size());
     for (const ReportTotal& total : totals) candidates.push_back(candidate_of(total));
     return charts_of(candidates, series, "Whole catalog");
 }
