@@ -100,4 +100,8 @@ double arc_tangent_unit(double x) {
     return base + (y - y * z * s);
 }
 
+double arc_tangent(double x) {
+    return x <= 1.0 ? arc_tangent_unit(x) : kPi / 2 - arc_tangent_unit(1.0 / x);
+}
+
 }  // namespace posepack::base

@@ -16,4 +16,7 @@ double cosine(double x);
 // atan(x) for 0 <= x <= 1, absolute error below 3e-16; result in radians, in [0, pi/4].
 double arc_tangent_unit(double x);
 
+// atan(x) for any x >= 0, infinity too; absolute error below 6e-16, in radians.
+double arc_tangent(double x);
+
 }  // namespace posepack::base

@@ -13,6 +13,8 @@ constexpr Command kCommands[] = {
     {"inspect", "Show what a container holds; one bone-row as a matrix", add_inspect},
     {"verify", "Check containers against the format and the manifest", add_verify},
     {"export", "Write a container's texels as OpenEXR", add_export},
+    {"stress", "Measure every form on stiff and extreme motion, and check what the compiler does about it",
+     add_stress},
     {"menagerie", "Write the generated animals of the default catalog", add_menagerie},
 };
 

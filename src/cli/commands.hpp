@@ -26,6 +26,7 @@ Runner add_export(CLI::App& app);
 Runner add_inspect(CLI::App& app);
 Runner add_menagerie(CLI::App& app);
 Runner add_report(CLI::App& app);
+Runner add_stress(CLI::App& app);
 Runner add_verify(CLI::App& app);
 
 }  // namespace posepack::cli

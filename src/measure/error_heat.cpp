@@ -8,6 +8,7 @@
 
 #include "measure/lane_poses.hpp"
 #include "measure/measure_error.hpp"
+#include "measure/test_times.hpp"
 
 namespace posepack::measure {
 namespace {
@@ -65,7 +66,7 @@ void take_points(const SkinSet& set, const LanePoses& poses, std::span<const std
 }
 
 ClipHeat clip_heat(LanePoses& poses, motion::ClipSampler& sampler, const palette::PaletteClip& clip,
-                   const Bins& bins, const SkinSet& points, std::size_t bone_count, double radius) {
+                   const Bins& bins, const SkinSet& points, std::size_t bone_count) {
     ClipHeat heat{bins.edges_s(), std::vector<float>(bins.count * bone_count)};
     std::array<std::size_t, kLanes> lane_bins{};
     for (std::size_t first = 0; first < bins.times_s.size(); first += kLanes) {
@@ -77,7 +78,7 @@ ClipHeat clip_heat(LanePoses& poses, motion::ClipSampler& sampler, const palette
         take_points(points, poses, std::span(lane_bins).first(lanes), bone_count, heat.errors);
     }
     for (float& value : heat.errors)
-        value = static_cast<float>(std::sqrt(static_cast<double>(value)) / radius);
+        value = static_cast<float>(std::sqrt(static_cast<double>(value)));
     return heat;
 }
 
@@ -93,21 +94,21 @@ base::Result<ErrorHeat> measure_heat(const animal::Animal& animal, const palette
             base::IssueCode::internal, "",
             fmt::format("expected a container that the loader opens, it answers {} to the one just made",
                         posepack_result_name(result))};
-    LanePoses poses(animal, palette, view);
-    const SkinSet bound = poses.bindings().bind(points);
-    const double radius = palette.radius > 0.0 ? palette.radius : 1.0;
+    const double inverse_radius = palette.radius > 0.0 ? 1.0 / palette.radius : 1.0;
+    LanePoses poses(animal, palette, view, inverse_radius);
+    const SkinSet bound = in_radii(poses.bindings().bind(points), inverse_radius);
     ErrorHeat heat{static_cast<std::uint32_t>(animal.bones.size()), {}};
     std::uint64_t samples = 0;
     for (const palette::PaletteClip& clip : palette.clips) {
         motion::ClipSampler sampler(animal, animal.clips[clip.source]);
-        const Bins bins = bins_of(test_times_s(clip, sampler.key_times_s()), bin_width_s);
+        const Bins bins = bins_of(test_times_s(clip, sampler.key_times_s(), sampler.jump_times_s()), bin_width_s);
         samples += std::uint64_t{bins.times_s.size()} * points.size();
         if (samples > kMaxSamples)
             return base::Issue{
                 base::IssueCode::lim_work, animal.clips[clip.source].name,
                 fmt::format("expected at most {} places (times x vertices) to measure, found {}", kMaxSamples,
                             samples)};
-        heat.clips.push_back(clip_heat(poses, sampler, clip, bins, bound, animal.bones.size(), radius));
+        heat.clips.push_back(clip_heat(poses, sampler, clip, bins, bound, animal.bones.size()));
     }
     return heat;
 }

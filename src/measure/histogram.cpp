@@ -11,8 +11,8 @@ void Histogram::clear() {
     std::fill(counts_.begin(), counts_.end(), 0);
 }
 
-void Histogram::add(const Histogram& other) {
-    for (std::uint32_t bin = 0; bin < kBins; ++bin) counts_[bin] += other.counts_[bin];
+void Histogram::add(const Histogram& other, std::uint64_t times) {
+    for (std::uint32_t bin = 0; bin < kBins; ++bin) counts_[bin] += times * other.counts_[bin];
 }
 
 std::uint64_t Histogram::count() const {

@@ -17,7 +17,8 @@ class Histogram {
     // Infinity and NaN count as the largest floats.
     void add(float value) { ++counts_[std::min(std::bit_cast<std::uint32_t>(value) >> kShift, kBins - 1)]; }
     void clear();
-    void add(const Histogram& other);
+    // As if every value of `other` had been added `times` times.
+    void add(const Histogram& other, std::uint64_t times = 1);
 
     // The upper edge of the bin that the `share` smallest values end in: at most 1.6 % above the true value.
     // 0 when nothing was added.

@@ -19,10 +19,18 @@ Affine affine_of(const float* matrix) {
 
 }  // namespace
 
-LanePoses::LanePoses(const animal::Animal& animal, const palette::Palette& palette, const posepack_view& view)
+motion::SkinSet in_radii(motion::SkinSet points, double inverse_radius) {
+    for (auto& vector : points.vectors)
+        for (float& c : vector) c = static_cast<float>(c * inverse_radius);
+    return points;
+}
+
+LanePoses::LanePoses(const animal::Animal& animal, const palette::Palette& palette, const posepack_view& view,
+                     double inverse_radius)
     : palette_(palette),
       bindings_(animal, palette.spaces),
       view_(view),
+      inverse_radius_(inverse_radius),
       bones_(animal.bones.size()),
       blended_(animal.bones.size() * 12) {
     difference_.values.resize(bindings_.size() * 12 * kLanes);
@@ -55,7 +63,8 @@ void LanePoses::fill(motion::ClipSampler& sampler, const palette::PaletteClip& c
         for (int r = 0; r < 3; ++r) {
             for (int c = 0; c < 4; ++c) {
                 const double difference = c < 3 ? found.linear[c][r] - source.linear[c][r]
-                                                : found.translation[r] - source.translation[r];
+                                                : (found.translation[r] - source.translation[r]) *
+                                                      inverse_radius_;
                 const std::size_t e = std::size_t{b} * 12 + static_cast<std::size_t>(r * 4 + c);
                 difference_.values[e * kLanes + lane] = static_cast<float>(difference);
             }

@@ -14,10 +14,15 @@
 
 namespace posepack::measure {
 
+// Points in units of R, as differences are.
+motion::SkinSet in_radii(motion::SkinSet points, double inverse_radius);
+
 // Buffers for the bindings of one animal at kLanes times. What it was made of must outlive it.
 class LanePoses {
  public:
-    LanePoses(const animal::Animal& animal, const palette::Palette& palette, const posepack_view& view);
+    //   inverse_radius  1 / R: differences have lengths in units of R, for tiny ones would vanish in squares
+    LanePoses(const animal::Animal& animal, const palette::Palette& palette, const posepack_view& view,
+              double inverse_radius);
 
     // Puts `time_s` of `clip` (seconds from its first key) into lane `lane`: the curves in double precision,
     // and the rows as the loader decodes and blends them. `sampler` is of the same clip.
@@ -26,7 +31,7 @@ class LanePoses {
 
     // Sets that are measured name these in the place of bones.
     const Bindings& bindings() const { return bindings_; }
-    // Drawn less exact, in model space: 12 elements a binding, 3x4 row-major.
+    // Drawn less exact, in model space with lengths in units of R: 12 elements a binding, 3x4 row-major.
     const LaneMatrices& difference() const { return difference_; }
     // The linear parts of the exact matrices: 9 elements a binding, row-major.
     const LaneMatrices& exact() const { return exact_; }
@@ -38,6 +43,7 @@ class LanePoses {
     const palette::Palette& palette_;
     const Bindings bindings_;
     const posepack_view& view_;
+    double inverse_radius_;
     std::vector<motion::Affine> bones_;
     std::vector<float> blended_;
     LaneMatrices difference_, exact_;

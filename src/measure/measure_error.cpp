@@ -4,22 +4,29 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
-#include <set>
 
+#include "base/trig.hpp"
 #include "measure/lane_poses.hpp"
 #include "measure/skin_difference.hpp"
+#include "measure/test_times.hpp"
+#include "palette/moments.hpp"
 #include "posepack/loader.h"
 
 namespace posepack::measure {
 namespace {
 
 using animal::Animal;
+using motion::Affine;
 using motion::SkinSet;
 using palette::ClipError;
 
-constexpr double kEqualTimesS = 1e-6;
-constexpr double kDegrees = 180.0 / 3.14159265358979323846;
+constexpr double kDegrees = 180.0 / base::kPi;
+// Bends of dual quaternions that a second look at the quarters is worth: in R, and of the largest error found
+// half way, where a bend shows nothing.
+constexpr double kWorthLooking = 3e-4;
+constexpr double kShareWorthLooking = 0.5;
 
 // The largest value so far, the time it was seen and the set entry it was seen at.
 struct Worst {
@@ -38,6 +45,7 @@ struct Tally {
     Histogram distances, half_tangents;  // squared
     double sum = 0.0;                    // of squared distances
     std::uint64_t point_samples = 0, normal_samples = 0;
+    unsigned weight = 1;  // in a sum of tallies: a clip that is looked at twice as finely counts half as much
 
     void clear() {
         distances.clear();
@@ -46,18 +54,18 @@ struct Tally {
         point_samples = normal_samples = 0;
     }
     void add(const Tally& other) {
-        distances.add(other.distances);
-        half_tangents.add(other.half_tangents);
-        sum += other.sum;
-        point_samples += other.point_samples;
-        normal_samples += other.normal_samples;
+        distances.add(other.distances, other.weight);
+        half_tangents.add(other.half_tangents, other.weight);
+        sum += other.weight * other.sum;
+        point_samples += other.weight * other.point_samples;
+        normal_samples += other.weight * other.normal_samples;
     }
 };
 
 // Of the square of the tangent of half the angle.
 double degrees_of_half_tangent_square(double square) {
-    return square >= static_cast<double>(kStraightAngle) ? 180.0
-                                                         : 2.0 * std::atan(std::sqrt(square)) * kDegrees;
+    if (square >= static_cast<double>(kStraightAngle)) return 180.0;
+    return 2.0 * base::arc_tangent(std::sqrt(square)) * kDegrees;
 }
 
 struct Place {
@@ -80,43 +88,31 @@ class ClipMeter {
               const SkinSet& points, const SkinSet& normals)
         : animal_(animal),
           palette_(palette),
-          poses_(animal, palette, view),
-          points_(poses_.bindings().bind(points)),
+          inverse_radius_(palette.radius > 0.0 ? 1.0 / palette.radius : 1.0),
+          moments_(palette::bone_moments(points, palette.spaces, animal.bones.size(), palette.reach())),
+          poses_(animal, palette, view, inverse_radius_),
+          points_(in_radii(poses_.bindings().bind(points), inverse_radius_)),
           normals_(poses_.bindings().bind(normals)) {}
 
     // Errors: E-LIM-WORK, before the work is done.
     base::Result<ClipError> measure(const palette::PaletteClip& clip, Tally& tally) {
         motion::ClipSampler sampler(animal_, animal_.clips[clip.source]);
-        const std::vector<double> times_s = test_times_s(clip, sampler.key_times_s());
-        if (auto status = take_samples(times_s.size(), animal_.clips[clip.source].name); !status)
-            return status.issue();
-        Worst worst_point, worst_normal;
-        for (std::size_t first = 0; first < times_s.size(); first += kLanes) {
-            const auto batch = std::span(times_s).subspan(first, std::min(kLanes, times_s.size() - first));
-            for (std::size_t l = 0; l < batch.size(); ++l) poses_.fill(sampler, clip, batch[l], l);
-            worst_point.take(
-                measure_points(points_, poses_.difference(), batch.size(), tally.distances, tally.sum),
-                batch);
-            worst_normal.take(measure_normals(normals_, poses_.difference(), poses_.exact(), batch.size(),
-                                              tally.half_tangents),
-                              batch);
-            tally.point_samples += batch.size() * points_.size();
-            tally.normal_samples += batch.size() * normals_.size();
-        }
-        ClipError error = figures(tally);
-        locate(sampler, clip, worst_point, worst_normal, error);
-        return error;
+        if (sampler.has_splines()) return measure(clip, sampler, Parts::quarters, tally);
+        auto error = measure(clip, sampler, Parts::halves, tally);
+        if (!error || !may_bend(clip)) return error;
+        const double bend = largest_bend(animal_, palette_, clip, sampler, moments_);
+        if (bend < std::max(kWorthLooking, kShareWorthLooking * static_cast<double>(error.value().max)))
+            return error;
+        tally.clear();
+        return measure(clip, sampler, Parts::quarters, tally);
     }
 
     // The figures of a tally; places are left out.
     ClipError figures(const Tally& tally) const {
-        const double radius = palette_.radius > 0.0 ? palette_.radius : 1.0;
         ClipError error;
-        error.p999 =
-            static_cast<float>(std::sqrt(static_cast<double>(tally.distances.percentile(0.999))) / radius);
+        error.p999 = static_cast<float>(std::sqrt(static_cast<double>(tally.distances.percentile(0.999))));
         if (tally.point_samples > 0)
-            error.rms =
-                static_cast<float>(std::sqrt(tally.sum / static_cast<double>(tally.point_samples)) / radius);
+            error.rms = static_cast<float>(std::sqrt(tally.sum / static_cast<double>(tally.point_samples)));
         error.normal_p999_deg = static_cast<float>(
             degrees_of_half_tangent_square(static_cast<double>(tally.half_tangents.percentile(0.999))));
         error.normal_rms_deg = static_cast<float>(std::sqrt(tally.half_tangents.mean([](double square) {
@@ -127,6 +123,36 @@ class ClipMeter {
     }
 
  private:
+    base::Result<ClipError> measure(const palette::PaletteClip& clip, motion::ClipSampler& sampler,
+                                    Parts parts, Tally& tally) {
+        const std::vector<double> times_s =
+            test_times_s(clip, sampler.key_times_s(), sampler.jump_times_s(), parts);
+        if (auto status = take_samples(times_s.size(), animal_.clips[clip.source].name); !status)
+            return status.issue();
+        tally.weight = parts == Parts::halves ? 2 : 1;
+        Worst worst_point, worst_normal;
+        for (std::size_t first = 0; first < times_s.size(); first += kLanes) {
+            const auto batch = std::span(times_s).subspan(first, std::min(kLanes, times_s.size() - first));
+            for (std::size_t l = 0; l < batch.size(); ++l) poses_.fill(sampler, clip, batch[l], l);
+            worst_point.take(measure_points(points_, poses_.difference(), batch.size(), tally.distances, tally.sum),
+                             batch);
+            worst_normal.take(
+                measure_normals(normals_, poses_.difference(), poses_.exact(), batch.size(), tally.half_tangents), batch);
+            tally.point_samples += batch.size() * points_.size();
+            tally.normal_samples += batch.size() * normals_.size();
+        }
+        ClipError error = figures(tally);
+        locate(sampler, clip, worst_point, worst_normal, error);
+        return error;
+    }
+
+    // Whether blends between rows may leave the arc of an even turn.
+    bool may_bend(const palette::PaletteClip& clip) const {
+        const std::uint8_t encoding = clip.runs.is_empty() ? palette_.layout.encoding : clip.runs.encoding;
+        return encoding == POSEPACK_ENCODING_DUALQUAT && !clip.plan.step &&
+               clip.plan.row_count > 1;
+    }
+
     base::Status take_samples(std::size_t time_count, const std::string& clip) {
         const std::uint64_t wanted = std::uint64_t{time_count} * (points_.size() + normals_.size());
         if (wanted > samples_left_)
@@ -144,8 +170,7 @@ class ClipMeter {
         if (points_.size() > 0) {
             const Place place = place_of(animal_, points_, point.entry);
             poses_.fill(sampler, clip, point.time_s, 0);
-            const double radius = palette_.radius > 0.0 ? palette_.radius : 1.0;
-            error.max = static_cast<float>(std::sqrt(static_cast<double>(point.square)) / radius);
+            error.max = static_cast<float>(std::sqrt(static_cast<double>(point.square)));
             error.p999 = std::min(error.p999, error.max);
             error.time_s = static_cast<float>(point.time_s);
             error.mesh = place.mesh;
@@ -169,37 +194,14 @@ class ClipMeter {
 
     const Animal& animal_;
     const palette::Palette& palette_;
+    double inverse_radius_;
+    std::vector<palette::BoneMoment> moments_;
     LanePoses poses_;
-    const SkinSet points_, normals_;  // with bindings in the place of bones
+    const SkinSet points_, normals_;  // with bindings in the place of bones; points in units of R
     std::uint64_t samples_left_ = kMaxSamples;
 };
 
 }  // namespace
-
-std::vector<double> test_times_s(const palette::PaletteClip& clip, std::span<const double> key_times_s) {
-    const motion::RowPlan& plan = clip.plan;
-    std::vector<double> marks(key_times_s.begin(), key_times_s.end());
-    std::set<std::uint32_t> interval_counts;
-    for (const std::uint32_t run : clip.runs.entries) interval_counts.insert(run >> POSEPACK_RUN_OFFSET_BITS);
-    for (const std::uint32_t count : interval_counts)
-        for (std::uint32_t row = 0; row < count; ++row)
-            if (const double time_s = plan.period_s * row / count; time_s <= plan.duration_s)
-                marks.push_back(time_s);
-    for (std::uint32_t row = 0; row < plan.row_count && clip.runs.is_empty(); ++row)
-        if (plan.row_time_s(row) <= plan.duration_s) marks.push_back(plan.row_time_s(row));
-    marks.push_back(plan.duration_s);
-    std::sort(marks.begin(), marks.end());
-    // A key that float32 moved by a hair is the row that was meant for it.
-    marks.erase(
-        std::unique(marks.begin(), marks.end(), [](double a, double b) { return b - a < kEqualTimesS; }),
-        marks.end());
-    std::vector<double> times_s;
-    for (std::size_t i = 0; i < marks.size(); ++i) {
-        if (i > 0) times_s.push_back(0.5 * (marks[i - 1] + marks[i]));
-        times_s.push_back(marks[i]);
-    }
-    return times_s;
-}
 
 base::Result<ErrorStats> measure_error(const Animal& animal, const palette::Palette& palette,
                                        std::span<const std::uint8_t> container, const SkinSet& points,
@@ -223,6 +225,8 @@ base::Result<ErrorStats> measure_error(const Animal& animal, const palette::Pale
             return base::Issue{base::IssueCode::lim_float_range, animal.clips[palette.clips[c].source].name,
                                "expected errors that fit a float, found a motion too large to be measured"};
         all.add(one);
+        stats.point_samples += one.point_samples;
+        stats.normal_samples += one.normal_samples;
         if (stats.clips.empty() || error.max > stats.clips[stats.worst_clip].max) stats.worst_clip = c;
         stats.clips.push_back(error);
     }
@@ -234,8 +238,6 @@ base::Result<ErrorStats> measure_error(const Animal& animal, const palette::Pale
     for (const ClipError& clip : stats.clips)
         stats.pooled.normal_max_deg = std::max(stats.pooled.normal_max_deg, clip.normal_max_deg);
     stats.pooled.normal_p999_deg = std::min(pooled.normal_p999_deg, stats.pooled.normal_max_deg);
-    stats.point_samples = all.point_samples;
-    stats.normal_samples = all.normal_samples;
     return stats;
 }
 

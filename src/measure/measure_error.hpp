@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The true error of a container: what a reader of its bytes draws, against the source curves.
 //
-// For every clip, at its rows, at its source keys and at the midpoints of all of these, the rows are decoded
+// For every clip, at its rows, at its source keys and between (test_times.hpp), the rows are decoded
 // by the shipped loader, blended in float as a shader does, and compared with the glTF curves in double
 // precision, at every different vertex and normal. docs/error_metric.md says what this sees and what it
 // cannot.
@@ -38,9 +38,5 @@ struct ErrorStats {
 base::Result<ErrorStats> measure_error(const animal::Animal& animal, const palette::Palette& palette,
                                        std::span<const std::uint8_t> container, const motion::SkinSet& points,
                                        const motion::SkinSet& normals);
-
-// The times at which a clip is measured, seconds from its first key, rising: rows (under runs those of every
-// bone), keys and midpoints.
-std::vector<double> test_times_s(const palette::PaletteClip& clip, std::span<const double> key_times_s);
 
 }  // namespace posepack::measure

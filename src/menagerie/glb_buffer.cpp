@@ -81,4 +81,23 @@ std::string GlbBuffer::finish(Json& document) {
     return std::move(bytes_);
 }
 
+std::vector<std::uint8_t> pack_glb(std::string json, const std::string& buffer) {
+    json.resize((json.size() + 3u) & ~std::size_t{3}, ' ');
+    Payload out;
+    const auto put_u32 = [&out](std::size_t value) {
+        out.put_u16(static_cast<std::uint32_t>(value));
+        out.put_u16(static_cast<std::uint32_t>(value >> 16));
+    };
+    put_u32(0x46546C67u);  // "glTF"
+    put_u32(2);
+    put_u32(12 + 8 + json.size() + 8 + buffer.size());
+    put_u32(json.size());
+    put_u32(0x4E4F534Au);  // "JSON"
+    out.bytes += json;
+    put_u32(buffer.size());
+    put_u32(0x004E4942u);  // "BIN"
+    out.bytes += buffer;
+    return {out.bytes.begin(), out.bytes.end()};
+}
+
 }  // namespace posepack::menagerie

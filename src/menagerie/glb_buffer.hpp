@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The buffer of a GLB being written, with its views and accessors.
+// The buffer of a GLB being written, with its views and accessors, and the file around it.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -51,5 +51,8 @@ class GlbBuffer {
     std::vector<std::size_t> animation_accessors_;
     std::map<std::string, int> known_;
 };
+
+// The file: both chunks behind the header (glTF 2.0, section 4.4). `buffer` has a multiple of four bytes.
+std::vector<std::uint8_t> pack_glb(std::string json, const std::string& buffer);
 
 }  // namespace posepack::menagerie

@@ -136,25 +136,6 @@ Json skin_json(GlbBuffer& buffer, const Model& model) {
             {"joints", std::move(joints)}};
 }
 
-std::vector<std::uint8_t> glb_bytes(std::string json, const std::string& buffer) {
-    json.resize((json.size() + 3u) & ~std::size_t{3}, ' ');
-    Payload out;
-    const auto put_u32 = [&out](std::size_t value) {
-        out.put_u16(static_cast<std::uint32_t>(value));
-        out.put_u16(static_cast<std::uint32_t>(value >> 16));
-    };
-    put_u32(0x46546C67u);  // "glTF"
-    put_u32(2);
-    put_u32(12 + 8 + json.size() + 8 + buffer.size());
-    put_u32(json.size());
-    put_u32(0x4E4F534Au);  // "JSON"
-    out.bytes += json;
-    put_u32(buffer.size());
-    put_u32(0x004E4942u);  // "BIN"
-    out.bytes += buffer;
-    return {out.bytes.begin(), out.bytes.end()};
-}
-
 // A mesh for each joint that any triangle follows, in the joint's own axes.
 void add_rigid_meshes(GlbBuffer& buffer, const Model& model, Json& document) {
     document["meshes"] = Json::array();
@@ -188,7 +169,7 @@ std::vector<std::uint8_t> write_glb(const Model& model) {
     for (const Clip& clip : model.clips) animations.push_back(animation_json(buffer, model, clip));
     document["animations"] = std::move(animations);
     const std::string bytes = buffer.finish(document);
-    return glb_bytes(document.dump(), bytes);
+    return pack_glb(document.dump(), bytes);
 }
 
 }  // namespace posepack::menagerie

@@ -94,6 +94,15 @@ bool is_constant(const Animal& animal, const Channel& channel) {
     return true;
 }
 
+// Whether two keys have the same value, tangents aside.
+bool are_equal_keys(const Animal& animal, const Channel& channel, std::uint32_t a, std::uint32_t b) {
+    const std::size_t n = channel.path == Path::rotation ? 4 : 3;
+    const bool cubic = channel.interpolation == Interpolation::cubic_spline;
+    const float* values = &animal.key_values[channel.first_value] + (cubic ? n : 0);
+    const std::size_t stride = cubic ? 3 * n : n;
+    return std::equal(values + a * stride, values + a * stride + n, values + b * stride);
+}
+
 std::vector<bool> nodes_above_bones(const Animal& animal) {
     std::vector<bool> above(animal.nodes.size(), false);
     for (const animal::Bone& bone : animal.bones)
@@ -192,6 +201,28 @@ bool ClipSampler::all_steps() const {
     return moves() && std::all_of(moving_channels_.begin(), moving_channels_.end(), [](const Cursor& cursor) {
                return cursor.channel->interpolation == Interpolation::step;
            });
+}
+
+bool ClipSampler::has_splines() const {
+    return std::any_of(moving_channels_.begin(), moving_channels_.end(), [](const Cursor& cursor) {
+        return cursor.channel->interpolation == Interpolation::cubic_spline;
+    });
+}
+
+std::vector<double> ClipSampler::jump_times_s() const {
+    std::vector<double> times;
+    for (const Cursor& cursor : moving_channels_) {
+        const Channel& channel = *cursor.channel;
+        const float* key_times = &animal_.key_times[channel.first_time];
+        for (std::uint32_t k = 1; k < channel.key_count; ++k) {
+            const bool is_sudden = channel.interpolation == Interpolation::step ||
+                                   static_cast<double>(key_times[k]) - key_times[k - 1] < kEqualTimesS;
+            if (is_sudden && !are_equal_keys(animal_, channel, k - 1, k))
+                times.push_back(key_times[k] - clip_.start_s);
+        }
+    }
+    std::sort(times.begin(), times.end());
+    return times;
 }
 
 std::vector<double> ClipSampler::key_times_s() const {

@@ -34,6 +34,13 @@ class ClipSampler {
     // True when every channel that changes is STEP: poses are held, never blended.
     bool all_steps() const;
 
+    // True when a channel that changes is a cubic spline: it may bend as it likes between two keys.
+    bool has_splines() const;
+
+    // Times at which the source jumps, seconds after the first key of the clip; sorted: STEP keys of another
+    // value than the one before, and keys within 1e-6 s of one of another value.
+    std::vector<double> jump_times_s() const;
+
     // Key times of the channels that change, seconds after the first key of the clip; sorted, and one
     // of those that lie within 1e-6 s.
     std::vector<double> key_times_s() const;

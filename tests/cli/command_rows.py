@@ -108,6 +108,27 @@ def _goat_on_disk(case):
                    f"texels of {form} without the last line's spare")
 
 
+def _stress(case):
+    text = case.run("stress", "--only", "shear,falling_keys", writes=())
+    case.equal((text.exit_code, text.stderr), (0, ""), "exit code and stderr")
+    for part in ("switches form to affine 16F", "refuses: E-GLB-TIMES", "2 cases: 2 as expected, 0 not."):
+        case.contains(text.stdout, part, "text")
+    names = case.run("stress", "--list", writes=())
+    case.contains(names.stdout, "falling_keys ", "list")
+    details = case.run("stress", "--only", "shear", "--details", writes=())
+    case.contains(details.stdout, "chosen: affine 16F, 31 rows", "details")
+    shown = case.run("stress", "--only", "shear", "--format", "json", "--jobs", 1, writes=()).json()
+    case.equal((shown["ok"], [one["name"] for one in shown["cases"]]), (True, ["shear"]), "json")
+    finer = case.run("stress", "--only", "one_metre,falling_keys", "--bound-factor", "0.000001", writes=())
+    case.equal((finer.exit_code, len(finer.lines("error"))), (8, 1), "exit code and errors under a finer bound")
+    case.contains(finer.stderr, "error[E-STRESS-DIFFERS]: one_metre: expected 'meets the bound'", "stderr")
+    case.contains(finer.stdout, "2 cases: 1 as expected, 1 not.", "text under a finer bound")
+    for options, mention in ((("--only", "one_meter"), "did you mean 'one_metre'?"),
+                             (("--bound-factor", "0"), "--bound-factor"), (("--bound-factor", "nan"), "nan"),
+                             (("--jobs", "-1"), "--jobs"), (("--format", "csv"), "text, json")):
+        case.expect_refused(case.run("stress", *options, writes=()), 1, "E-USAGE", (mention,))
+
+
 def _export(case):
     case.expect_ok(case.bake(deer(case), measure=True))
     beside = case.run("export", "--exr", "out/deer.posepack")
@@ -195,6 +216,7 @@ ROWS = [
     Row("B14", "compare: the published bytes of the goat", _compare_goat),
     Row("B14b", "menagerie --animals: a herd that bakes by its own catalog", _bake_herd),
     Row("B15", "bake: the published bytes of the goat", _goat_on_disk),
+    Row("B16b", "stress: text, details, json, a bound that is too fine, wrong words", _stress),
     Row("B17", "export --exr: file and attributes", _export),
     Row("B18", "--quiet and --json-errors", _remarks),
     Row("B19", "hostile names do not reach the terminal", _hostile_names),

@@ -19,7 +19,8 @@ FLOORS = {
     "choose": 6,
     "output": 7,
     "bake": 8,
-    "cli": 9,
+    "stress": 9,
+    "cli": 10,
 }
 PRINTING_FLOOR = 7  # rooms below return what they have to say
 
@@ -33,7 +34,7 @@ DOORS = [
     (r"CLI/", {"cli"}, True),
     (r"nettle/", {"base"}, False),
     (r"rapidjson/", {"base", "animal"}, False),
-    (r"nlohmann/", {"base", "recipe", "output", "bake", "cli", "menagerie"}, False),
+    (r"nlohmann/", {"base", "recipe", "output", "bake", "stress", "cli", "menagerie"}, False),
     (r"glm/", {room for room, floor in FLOORS.items() if floor >= 2}, True),
     (r"fmt/", {room for room in FLOORS if room not in ("format", "loader")}, True),
 ]

@@ -84,6 +84,20 @@ class Floors(GuardCase):
         self.assertIn("found none", output)
 
 
+class Libm(GuardCase):
+    def test_exact_functions_are_allowed(self):
+        self.assert_clean("libm", {
+            "src/motion/a.cpp": "#include <cmath>\n// std::sin(x)\ndouble f(double x) { return std::sqrt(std::floor(x)); }\n"
+                                "double g(T t) { return t.pow(3) + base::exp(1) + my_log(2); }\n",
+            "src/bake/doctor.cpp": "double f(double x) { return std::log(x); }\n"})
+
+    def test_inexact_ones_are_not(self):
+        for call in ("std::sin(x)", "std::atan2(x, 1.0)", "glm::acos(x)", "sinf(x)", "pow (x, 2)", "std::fma(x, x, x)"):
+            with self.subTest(call=call):
+                self.assert_fault("libm", {"src/palette/a.cpp": f"double f(double x) {{ return {call}; }}\n"},
+                                  "src/palette/a.cpp:1")
+
+
 class Headers(GuardCase):
     def test_headers_that_stand_alone(self):
         self.assert_clean("headers", {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Checks every catalog of catalogs/ and tests/data, the cases of catalog_cases.json, the manifest that the first
 // program given prints, what `posepack doctor` says of a good and of two refused models, and what `posepack report`
-// says of a good one, against the schemas.
+// says of a good one and `posepack stress` of some cases, against the schemas.
 // node check_schemas.mjs SAMPLE_MANIFEST_PROGRAM POSEPACK [MANIFEST...]
 import { execFileSync, spawnSync } from 'node:child_process';
 import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -169,9 +169,32 @@ for (const [label, json] of reported.flatMap((report) => [report, withRefusal(re
     });
 }
 
+// Cases that are met, that switch form, that are refused before and after they were read; and one that differs.
+function stressed(program) {
+    const run = (exitCode, ...options) => {
+        const found = spawnSync(program, ['stress', '--format', 'json', ...options], { encoding: 'utf8' });
+        if (found.status !== exitCode) throw new Error(`stress: expected ${exitCode}, found ${found.status}`);
+        return [`stress ${options.join(' ')}`, JSON.parse(found.stdout)];
+    };
+    return [run(0, '--only', 'shear,falling_keys,step_off_the_grid'),
+        run(8, '--only', 'one_metre', '--bound-factor', '0.000001')];
+}
+
+const validateStress = compile('stress-1.schema.json');
+const stressResults = posepack ? stressed(posepack) : [];
+for (const [label, json] of stressResults) {
+    expectValidity(validateStress, label, json, true);
+    expectStrictObjects(validateStress, label, json);
+    for (const key of Object.keys(json)) {
+        const { [key]: _, ...less } = json;
+        expectValidity(validateStress, `${label}: without ${key}`, less, false);
+    }
+}
+
 console.log(`${catalogs.length} catalogs, ${cases.length} cases, ${manifests.length} manifests, ` +
-    `${diagnosed.length} diagnoses, ${reported.length} reports: ${checks} checks, ${failures} failures`);
+    `${diagnosed.length} diagnoses, ${reported.length} reports, ${stressResults.length} runs of stress: ` +
+    `${checks} checks, ${failures} failures`);
 const sawAll = catalogs.length > 0 && cases.length > 0 && manifests.length > 0 &&
-    diagnosed.length > 0 && reported.length > 0;
+    diagnosed.length > 0 && reported.length > 0 && stressResults.length > 0;
 if (!sawAll) console.log('expected at least one of each');
 process.exit(failures === 0 && sawAll ? 0 : 1);

@@ -69,5 +69,16 @@ TEST(ArcTangentUnit, KeepsItsBound) {
     EXPECT_EQ(arc_tangent_unit(1.0), kPi / 4);
 }
 
+TEST(ArcTangent, KeepsItsBoundBeyondOne) {
+    std::mt19937_64 random(3);
+    std::uniform_real_distribution<double> exponent(-20.0, 40.0);
+    for (int i = 0; i < kSamples; ++i) {
+        const double x = std::exp2(exponent(random));
+        ASSERT_LT(std::fabs(arc_tangent(x) - std::atan(static_cast<long double>(x))), 6e-16L) << x;
+    }
+    EXPECT_EQ(arc_tangent(0.0), 0.0);
+    EXPECT_EQ(arc_tangent(HUGE_VAL), kPi / 2);
+}
+
 }  // namespace
 }  // namespace posepack::base

@@ -53,6 +53,16 @@ TEST(Histogram, TheLargestFloatHasABin) {
     EXPECT_GE(histogram.percentile(1.0), std::numeric_limits<float>::max());
 }
 
+TEST(Histogram, AddsAnotherSeveralTimes) {
+    Histogram few, many;
+    few.add(1.0f);
+    for (int i = 0; i < 3; ++i) many.add(8.0f);
+    many.add(few, 5);
+    EXPECT_EQ(many.count(), 8u);
+    EXPECT_LT(many.percentile(5.0 / 8), 1.02f);
+    EXPECT_GT(many.percentile(6.0 / 8), 8.0f);
+}
+
 TEST(Histogram, AddsAndClears) {
     Histogram a, b, both;
     for (int i = 1; i < 500; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Errors that can be told in advance, the times that are looked at, and values at the edge of the floats.
+// Errors that can be told in advance, and values at the edge of the floats.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -124,6 +124,59 @@ TEST(KnownErrors, AMotionOfTheRootLeavesThemUnchanged) {
     }
 }
 
+// Squares of the errors of the smaller ones are below the smallest float, of the larger ones above the
+// largest.
+TEST(KnownErrors, DoNotDependOnTheSizeOfAnAnimal) {
+    float of_one = 0.0f;
+    for (const double size : {1.0, 1e-25, 1e-15, 1e15, 1e25}) {
+        const auto length = static_cast<float>(size);
+        ModelSpec spec = support::one_bone({length, 0, 0, 0, length, 0, 0, 0, length});
+        spec.clips = {
+            {"Turn", {{0, "rotation", support::grid(2, 1), turns({turn(0, 0, 0, 1), turn(30, 0, 0, 1)})}}}};
+        const Measured m = measured(spec, support::in_floats(), {1.0, recipe::Wrap::once, {}});
+        if (size == 1.0) of_one = m.stats.pooled.max;
+        EXPECT_NEAR(m.stats.pooled.max, of_one, of_one * 1e-4) << size;
+        EXPECT_GT(m.stats.pooled.rms, of_one * 0.1) << size;
+        EXPECT_GT(m.stats.pooled.p999, of_one * 0.9) << size;
+    }
+}
+
+// Between the rows before and behind a step the blend is never further off than just before it.
+TEST(KnownErrors, AStepAmongCurvesCountsInFull) {
+    ModelSpec spec = support::one_bone();
+    spec.clips = {{"Leap",
+                   {{0, "translation", {0, 0.5f, 1}, {0, 0, 0, 1, 0, 0, 1, 0, 0}, "STEP"},
+                    {0, "rotation", support::grid(31, 30), turns(std::vector(31, turn(0, 0, 0, 1)))}}}};
+    spec.clips[0].channels[1].values[7] = 0.99999f;  // so that not all that changes is STEP
+    const Measured m = measured(spec, support::in_floats(), {std::nullopt, recipe::Wrap::once, {}});
+    ASSERT_FALSE(m.baked.palette.clips[0].plan.step);
+    EXPECT_NEAR(m.stats.pooled.max * m.baked.palette.radius, 1.0, 1e-3);
+    EXPECT_NEAR(m.stats.pooled.time_s, 0.5, 1e-5);
+}
+
+// The row at the jump shows what was before, and the blend leaves it only slowly.
+TEST(KnownErrors, AJumpBetweenTwoKeysOfOneTimeCountsInFull) {
+    ModelSpec spec = support::one_bone();
+    const float jump_s = 0.5f;
+    const float next_s = std::nextafter(jump_s, 1.0f);
+    spec.clips = {
+        {"Leap", {{0, "translation", {0, jump_s, next_s, 1}, {0, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0}}}}};
+    const Measured m = measured(spec, support::in_floats(), {30.0, recipe::Wrap::once, {}});
+    EXPECT_NEAR(m.stats.pooled.max * m.baked.palette.radius, 1.0, 1e-3);
+}
+
+// A spline that leaves and reaches both keys with one slope crosses the blend half way: u (1 - u) (1 - 2 u).
+TEST(KnownErrors, ASplineIsLookedAtBesideItsMiddle) {
+    ModelSpec spec = support::one_bone();
+    std::vector<float> keys;
+    for (int k = 0; k < 5; ++k) keys.insert(keys.end(), {0, 3, 0, 0, 0, 0, 0, 3, 0});
+    spec.clips = {{"Swing", {{0, "translation", support::grid(5, 30), keys, "CUBICSPLINE"}}}};
+    const Measured m = measured(spec, support::in_floats(), {std::nullopt, recipe::Wrap::once, {}});
+    const double largest = 3.0 / 30 * std::sqrt(3.0) / 18;
+    EXPECT_GE(m.stats.pooled.max * m.baked.palette.radius, 0.97 * largest);
+    EXPECT_LE(m.stats.pooled.max * m.baked.palette.radius, largest * (1 + 1e-5));
+}
+
 TEST(KnownErrors, TheWorstPlaceNamesMeshAndVertexWithinIt) {
     ModelSpec spec = support::one_bone({0, 0, 0.1f, 0, 0, 0.2f});
     support::MeshSpec far = spec.meshes[0];
@@ -212,51 +265,6 @@ TEST(Normals, AnglesRiseToTheStraightOne) {
     EXPECT_EQ(worst.value[2], kStraightAngle);
     EXPECT_EQ(worst.value[3], kStraightAngle);
     EXPECT_EQ(histogram.count(), 6u) << "only the lanes asked for";
-}
-
-palette::PaletteClip plan_of(std::uint32_t row_count, double period_s, double duration_s, recipe::Wrap wrap) {
-    motion::RowPlan plan;
-    plan.row_count = row_count;
-    plan.period_s = period_s;
-    plan.duration_s = duration_s;
-    plan.wrap = wrap;
-    palette::PaletteClip clip;
-    clip.plan = plan;
-    return clip;
-}
-
-TEST(TestTimes, AreRowsKeysAndMidpoints) {
-    const std::vector<double> keys{0.0, 0.3, 1.0};
-    EXPECT_EQ(test_times_s(plan_of(3, 1, 1, recipe::Wrap::once), keys),
-              (std::vector<double>{0.0, 0.15, 0.3, 0.4, 0.5, 0.75, 1.0}));
-    EXPECT_EQ(test_times_s(plan_of(2, 1, 1, recipe::Wrap::loop), {}),
-              (std::vector<double>{0.0, 0.25, 0.5, 0.75, 1.0}));
-    EXPECT_EQ(test_times_s(plan_of(1, 0, 0, recipe::Wrap::once), {}), (std::vector<double>{0.0}));
-}
-
-TEST(TestTimes, AreTheRowsOfEveryRun) {
-    palette::PaletteClip clip = plan_of(5, 1, 1, recipe::Wrap::once);
-    clip.runs.entries = {0u, 2u << POSEPACK_RUN_OFFSET_BITS, 3u << POSEPACK_RUN_OFFSET_BITS};
-    const std::vector<double> times = test_times_s(clip, {});
-    const std::vector<double> expected{0.0, 1.0 / 6, 1.0 / 3, 5.0 / 12, 0.5, 7.0 / 12, 2.0 / 3, 5.0 / 6, 1.0};
-    ASSERT_EQ(times.size(), expected.size());
-    for (std::size_t i = 0; i < times.size(); ++i) EXPECT_NEAR(times[i], expected[i], 1e-12);
-}
-
-TEST(TestTimes, LeaveTheGapOfAnOpenLoopOut) {
-    const std::vector<double> times = test_times_s(plan_of(4, 1, 0.75, recipe::Wrap::loop), {});
-    EXPECT_EQ(times.back(), 0.75) << "behind the last key there is no source to compare with";
-    EXPECT_EQ(times.size(), 7u);
-}
-
-TEST(TestTimes, OfAKeyAndTheRowThatWasMeantForItOne) {
-    std::vector<double> keys;
-    for (const float t : support::grid(68, 24)) keys.push_back(t);
-    const std::vector<double> times =
-        test_times_s(plan_of(67, keys.back(), keys.back(), recipe::Wrap::loop), keys);
-    EXPECT_EQ(times.size(), 2u * 67 + 1);
-    EXPECT_TRUE(std::is_sorted(times.begin(), times.end()));
-    for (std::size_t i = 1; i < times.size(); ++i) EXPECT_GT(times[i] - times[i - 1], 0.4 / 24);
 }
 
 TEST(DecodeCost, IsATimeOrNothing) {

@@ -157,5 +157,29 @@ TEST(Keys, TimesMayBeAskedForInAnyOrder) {
     }
 }
 
+TEST(Jumps, AreStepsAndKeysWithoutTimeBetween) {
+    const auto jumps = [](const animal::Animal& animal) {
+        return ClipSampler(animal, animal.clips[0]).jump_times_s();
+    };
+    const std::vector<float> places{0, 0, 0, 1, 0, 0, 1, 0, 0, 2, 0, 0};
+    EXPECT_EQ(jumps(one_channel("translation", {1, 1.5f, 2, 3}, places, "STEP")), (std::vector{0.5, 2.0}))
+        << "the third key has the value of the second";
+    EXPECT_EQ(jumps(one_channel("translation", {1, 1.5f, 2, 3}, places)), std::vector<double>{});
+    EXPECT_EQ(jumps(one_channel("translation", {1, 1, 2, 2}, places)), (std::vector{0.0, 1.0}));
+    EXPECT_EQ(jumps(one_channel("translation", {0, 5e-7f, 1, 2}, places)).size(), 1u) << "nearer than 1e-6 s";
+    EXPECT_EQ(jumps(one_channel("translation", {0, 2e-6f, 1, 2}, places)).size(), 0u);
+}
+
+TEST(Jumps, OfSplinesCompareValuesNotTangents) {
+    const std::vector<float> keys{0, 0, 0, 0, 0, 0, 9, 0, 0, 5, 0, 0, 0, 0,
+                                  0, 9, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0};
+    const animal::Animal animal = one_channel("translation", {0, 0, 1}, keys, "CUBICSPLINE");
+    ClipSampler sampler(animal, animal.clips[0]);
+    EXPECT_EQ(sampler.jump_times_s(), std::vector<double>{});
+    EXPECT_TRUE(sampler.has_splines());
+    const animal::Animal linear = one_channel("translation", {0, 1}, {0, 0, 0, 1, 0, 0});
+    EXPECT_FALSE(ClipSampler(linear, linear.clips[0]).has_splines());
+}
+
 }  // namespace
 }  // namespace posepack::motion

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include "stress/run_cases.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "animal/read_animal.hpp"
+#include "bake/bake_animal.hpp"
+#include "bake/workers.hpp"
+#include "base/interrupt.hpp"
+#include "base/text.hpp"
+#include "posepack/loader.h"
+#include "stress/choose_palette.hpp"
+
+namespace posepack::stress {
+namespace {
+
+using base::Issue;
+using base::IssueCode;
+
+// A bake is judged by what it prints. What it draws may be found worse by as much as docs/error_metric.md
+// allows: times that it did not look at, and the rounding of the shader.
+constexpr double kSeenShare = 0.97;
+constexpr double kUnseen = 5e-4;  // R
+
+bool is_held(const Amounts& amounts, const Bound& bound) {
+    return amounts.max <= bound.max / kSeenShare + kUnseen &&
+           amounts.p999 <= bound.p999 / kSeenShare + kUnseen;
+}
+
+void note_warnings(std::span<const Issue> findings, Found& found) {
+    for (const Issue& finding : findings)
+        if (std::find(found.warnings.begin(), found.warnings.end(), finding.code) == found.warnings.end())
+            found.warnings.push_back(finding.code);
+}
+
+// One case at work.
+class CaseRun {
+ public:
+    CaseRun(const StressCase& stress_case, std::string_view group, double bound_factor)
+        : case_(stress_case), entry_(entry_of(stress_case)), glb_(write_glb(stress_case.build())) {
+        result_.stress_case = &stress_case;
+        result_.group = group;
+        result_.bound = {stress_case.bound.max * bound_factor, stress_case.bound.p999 * bound_factor};
+    }
+
+    base::Result<CaseResult> run() {
+        auto animal = animal::read_animal(glb_);
+        if (animal) animal_ = std::move(animal).value();
+        for (const Form& form : all_forms())
+            if (auto status = measure_form(form); !status) return status.issue();
+        if (auto status = choose(); !status) return status.issue();
+        result_.difference = difference(case_.expected, result_.found);
+        return std::move(result_);
+    }
+
+ private:
+    // Errors: E-INTERNAL. What a form refuses is a result.
+    base::Status measure_form(const Form& form) {
+        FormResult& out = result_.forms.emplace_back();
+        out.form = form;
+        const auto baked = bake::bake_animal(in_form(entry_, form), glb_, {});
+        if (!baked) {
+            out.refusal = baked.issue();
+            return {};
+        }
+        note_warnings(baked.value().findings, result_.found);
+        const recipe::BakeRecord& record = baked.value().record;
+        out.row_count = record.row_count;
+        out.texel_bytes = record.texel_bytes;
+        out.printed = {static_cast<double>(record.error.max), static_cast<double>(record.error.p999),
+                       static_cast<double>(record.error.rms)};
+        out.normal_max_deg = static_cast<double>(record.error.normal_max_deg);
+        const auto drawn = measure_drawn(*animal_, baked.value().container, case_.reader);
+        if (!drawn) return drawn.issue();
+        out.drawn = drawn.value();
+        return {};
+    }
+
+    base::Status choose() {
+        const auto container = choose_palette(entry_, glb_, result_.bound);
+        if (!container) {
+            result_.found.action = refuses(container.issue().code);
+            result_.found.refusal = format_issue(container.issue());
+            return {};
+        }
+        auto chosen = describe(container.value());
+        if (!chosen) return chosen.issue();
+        result_.chosen = chosen.value();
+        Action& action = result_.found.action;
+        action.switches_form = chosen.value().form != Form{};
+        action.adds_rows = chosen.value().row_count > rows_at_start();
+        action.cuts = chosen.value().cut_count > 0;
+        action.misses = !is_held(chosen.value().drawn.all, result_.bound);
+        return {};
+    }
+
+    // What the loader says of the chosen container, and how far it is off.
+    base::Result<Chosen> describe(const base::Bytes& container) const {
+        const auto drawn = measure_drawn(*animal_, container, case_.reader);
+        if (!drawn) return drawn.issue();
+        Chosen chosen;
+        chosen.drawn = drawn.value();
+        posepack_view view;
+        posepack_open(&view, container.data(), container.size());
+        for (std::uint32_t c = 0; c < view.header.clip_count; ++c) {
+            posepack_clip clip;
+            posepack_get_clip(&view, c, &clip);
+            if (c == 0) chosen.form = form_of(view, clip);
+            chosen.row_count += clip.row_count;
+            chosen.cut_count += clip.cut_count;
+        }
+        posepack_texels texels;
+        posepack_get_texels(&view, &texels);
+        chosen.texel_bytes = texels.size_bytes;
+        return chosen;
+    }
+
+    static Form form_of(const posepack_view& view, const posepack_clip& clip) {
+        Form form;
+        form.encoding = clip.encoding == POSEPACK_ENCODING_MAT4     ? recipe::Encoding::mat4
+                        : clip.encoding == POSEPACK_ENCODING_AFFINE ? recipe::Encoding::affine
+                                                                    : recipe::Encoding::dualquat;
+        form.texel_format = view.header.texel_format == POSEPACK_TEXEL_RGBA16F ? recipe::TexelFormat::rgba16f
+                                                                               : recipe::TexelFormat::rgba32f;
+        form.space = (view.header.space_flags & POSEPACK_SPACE_NORMALISED) != 0 ? recipe::Space::normalised
+                                                                                : recipe::Space::model;
+        return form;
+    }
+
+    // Rows of the first form that could be baked; the plan is the same for all, but for closing rows.
+    std::uint32_t rows_at_start() const {
+        for (const FormResult& form : result_.forms)
+            if (!form.refusal && form.form.encoding != recipe::Encoding::dualquat) return form.row_count;
+        return 0;
+    }
+
+    const StressCase& case_;
+    recipe::AnimalEntry entry_;
+    std::vector<std::uint8_t> glb_;
+    std::optional<animal::Animal> animal_;
+    CaseResult result_;
+};
+
+struct Listed {
+    const StressCase* stress_case;
+    std::string_view group;
+};
+
+std::vector<Listed> listed_cases() {
+    std::vector<Listed> all;
+    for (const CaseGroup& group : case_groups())
+        for (const StressCase& stress_case : group.cases) all.push_back({&stress_case, group.title});
+    return all;
+}
+
+base::Result<std::vector<Listed>> cases_named(const std::vector<std::string>& names) {
+    std::vector<Listed> all = listed_cases();
+    if (names.empty()) return all;
+    std::vector<std::string> known;
+    for (const Listed& listed : all) known.emplace_back(listed.stress_case->name);
+    for (const std::string& name : names) {
+        if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+        const std::string near = base::nearest(name, known);
+        return Issue{IssueCode::usage, "--only",
+                     fmt::format("expected names of stress cases, found '{}'{}", name,
+                                 near.empty() ? "" : fmt::format("; did you mean '{}'?", near))};
+    }
+    std::erase_if(all, [&names](const Listed& listed) {
+        return std::find(names.begin(), names.end(), listed.stress_case->name) == names.end();
+    });
+    return all;
+}
+
+}  // namespace
+
+base::Result<CaseResult> run_case(const StressCase& stress_case, std::string_view group,
+                                  double bound_factor) {
+    return CaseRun(stress_case, group, bound_factor).run();
+}
+
+base::Result<std::vector<CaseResult>> run_cases(const RunOptions& options) {
+    const auto listed = cases_named(options.only);
+    if (!listed) return listed.issue();
+    std::vector<std::optional<base::Result<CaseResult>>> results(listed.value().size());
+    bake::run_jobs(results.size(), options.jobs, [&](std::size_t index) {
+        const Listed& one = listed.value()[index];
+        results[index] = run_case(*one.stress_case, one.group, options.bound_factor);
+        return static_cast<bool>(*results[index]);
+    });
+    if (auto status = base::check_interrupt(); !status) return status.issue();
+    std::vector<CaseResult> out;
+    for (auto& result : results) {
+        if (!result) break;
+        if (!*result) return result->issue();
+        out.push_back(std::move(*result).value());
+    }
+    return out;
+}
+
+}  // namespace posepack::stress
