@@ -47,6 +47,8 @@ recipe::AnimalEntry entry_of(unsigned choice) {
     entry.output.texel_format = choice & 2u ? recipe::TexelFormat::rgba32f : recipe::TexelFormat::rgba16f;
     entry.output.texel_order = choice & 4u ? recipe::TexelOrder::planar : recipe::TexelOrder::bone_major;
     entry.output.row_pitch = choice & 8u ? recipe::RowPitch::align256 : recipe::RowPitch::tight;
+    entry.output.influences = choice & 32u ? 8 : 4;
+    entry.output.unused_bones = choice & 64u ? recipe::UnusedBones::drop : recipe::UnusedBones::keep;
     return entry;
 }
 
