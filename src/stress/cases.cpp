@@ -6,8 +6,8 @@
 namespace posepack::stress {
 
 std::span<const CaseGroup> case_groups() {
-    static const std::array kGroups{place_cases(), speed_cases(), shape_cases(),
-                                    key_cases(),   skin_cases(),  reader_cases()};
+    static const std::array kGroups{place_cases(), speed_cases(), shape_cases(), key_cases(),
+                                    skin_cases(),  fault_cases(), reader_cases()};
     return kGroups;
 }
 

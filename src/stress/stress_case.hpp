@@ -28,9 +28,9 @@ struct StressCase {
     std::string_view name;     // lower case, digits and _
     std::string_view trouble;  // why it is hard, without a full stop
     menagerie::RawModel (*build)();
-    Start start;
-    Bound bound;
     Expected expected;
+    Start start{};
+    Bound bound = kUsual;
     Reader reader{};
 };
 
@@ -50,6 +50,7 @@ CaseGroup speed_cases();
 CaseGroup shape_cases();
 CaseGroup key_cases();
 CaseGroup skin_cases();
+CaseGroup fault_cases();
 CaseGroup reader_cases();
 
 // The entry that bakes a case at its start, in the form of the defaults.
