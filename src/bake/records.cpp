@@ -89,6 +89,7 @@ recipe::BakeRecord describe(const recipe::AnimalEntry& entry, const animal::Anim
 
 std::vector<recipe::TryRecord> tried(const std::vector<choose::Attempt>& attempts) {
     std::vector<recipe::TryRecord> out;
+    out.reserve(attempts.size());
     for (const choose::Attempt& one : attempts)
         out.push_back({std::string(runs_encoding(one.encoding)), one.bytes, one.max, one.p999, one.rms,
                        one.keeps_bound});

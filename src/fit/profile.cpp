@@ -95,6 +95,7 @@ std::vector<BonePoints> bone_points(const motion::SkinSet& points, const palette
                      points.weights[i][k]});
             }
     std::vector<BonePoints> out;
+    out.reserve(bone_count);
     for (const auto& influences : all) out.push_back(choose_points(influences));
     return out;
 }
