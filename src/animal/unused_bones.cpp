@@ -10,6 +10,7 @@ namespace {
 std::vector<std::uint32_t> new_indices(const std::vector<Bone>& bones) {
     std::vector<std::uint32_t> out;
     std::uint32_t next = 0;
+    out.reserve(bones.size());
     for (const Bone& bone : bones) out.push_back(bone.weighted ? next++ : kNone);
     return out;
 }

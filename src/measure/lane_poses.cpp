@@ -44,7 +44,10 @@ void LanePoses::read_pose(const palette::PaletteClip& clip, double time_s) {
         result = posepack_blend_row(&view_, clip.first_row + blend.row0, clip.first_row + blend.row1,
                                     static_cast<float>(blend.factor), blended_.data());
     } else {
-        const double phase = clip.plan.period_s > 0.0 ? time_s / clip.plan.period_s : 0.0;
+        // A held pose begins with its key, as the sampler has it, and not a rounding of the phase later.
+        constexpr double kEarlyS = 1e-6;
+        const double shown_s = clip.plan.step ? time_s + kEarlyS : time_s;
+        const double phase = clip.plan.period_s > 0.0 ? shown_s / clip.plan.period_s : 0.0;
         const auto index = static_cast<std::uint32_t>(&clip - palette_.clips.data());
         result = posepack_sample_pose(&view_, index, static_cast<float>(phase), blended_.data());
     }
