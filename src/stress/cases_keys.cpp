@@ -14,7 +14,7 @@ using base::IssueCode;
 constexpr double kJump = 0.5;  // units: 1 R of a reed
 
 // The body stands at 0, then at 1 R, from `jump_s` on.
-RawChannel leap(Interpolation interpolation, std::vector<float> times_s, double jump_s) {
+RawChannel leap(Interpolation interpolation, const std::vector<float>& times_s, double jump_s) {
     RawChannel channel =
         moving(0, times_s, [&](double time_s) { return Vec3(time_s < jump_s ? 0.0 : kJump, 0.0, 0.0); });
     channel.interpolation = interpolation;

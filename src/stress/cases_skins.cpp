@@ -8,8 +8,6 @@
 namespace posepack::stress {
 namespace {
 
-using base::IssueCode;
-
 // A wave that runs along a chain of 2 m and curls it.
 RawModel wave_on(int joints) {
     const RawModel model =

@@ -161,6 +161,7 @@ base::Result<std::vector<Listed>> cases_named(const std::vector<std::string>& na
     std::vector<Listed> all = listed_cases();
     if (names.empty()) return all;
     std::vector<std::string> known;
+    known.reserve(all.size());
     for (const Listed& listed : all) known.emplace_back(listed.stress_case->name);
     for (const std::string& name : names) {
         if (std::find(known.begin(), known.end(), name) != known.end()) continue;
