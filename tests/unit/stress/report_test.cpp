@@ -58,10 +58,10 @@ TEST(StressJson, SaysAllOfACase) {
     const auto json = nlohmann::json::parse(stress_json(results_of({"shear", "no_size"}), 1.0));
     EXPECT_EQ(json.at("schema"), "posepack-stress-1");
     EXPECT_EQ(json.at("ok"), true);
-    const nlohmann::json& no_size = json.at("cases").at(0);
+    const nlohmann::json& no_size = json.at("cases").at(1);
     EXPECT_EQ(no_size.at("found").at("refuses"), "E-GLB-NO-EXTENT");
     EXPECT_EQ(no_size.at("chosen"), nullptr);
-    const nlohmann::json& shear = json.at("cases").at(1);
+    const nlohmann::json& shear = json.at("cases").at(0);
     EXPECT_EQ(shear.at("forms").size(), 12u);
     EXPECT_EQ(shear.at("chosen").at("encoding"), "affine");
     EXPECT_EQ(shear.at("found").at("switches_form"), true);
