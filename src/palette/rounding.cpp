@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstring>
 
 namespace posepack::palette {
 namespace {
@@ -42,8 +43,9 @@ class HalfGrid {
     double least_step_;
 };
 
-// Eight doubles at once, an extension of GCC and clang; in pieces where the processor has shorter registers.
-using Eight = double __attribute__((vector_size(64)));
+// Two doubles at once, an extension of GCC and clang. Wider ones are slower where the processor's registers
+// are not so wide by default.
+using Pair = double __attribute__((vector_size(16)));
 
 // A row of a matrix in halves, as doubles: of the eight ways to round its three entries the one that costs
 // least. The translation takes up what moves the centroid, so what is seen is the spread about the centroid
@@ -66,20 +68,22 @@ void round_row(const std::array<double, 4>& row, const BoneMoment& moment, const
                            shift_of(1) * std::abs(centroid.y) + shift_of(2) * std::abs(centroid.z);
     const double anchor = grid.anchor(largest);  // one grid for all eight, the coarsest of theirs
 
-    const Eight x = {error[0][0], error[0][1], error[0][0], error[0][1],
-                     error[0][0], error[0][1], error[0][0], error[0][1]};
-    const Eight y = {error[1][0], error[1][0], error[1][1], error[1][1],
-                     error[1][0], error[1][0], error[1][1], error[1][1]};
-    const Eight z = {error[2][0], error[2][0], error[2][0], error[2][0],
-                     error[2][1], error[2][1], error[2][1], error[2][1]};
+    constexpr std::size_t kChoices = 8;
+    alignas(Pair) std::array<double, kChoices> cost{}, translation{};
     const auto& spread = moment.spread;
-    const Eight wanted = row[3] - (x * centroid.x + y * centroid.y + z * centroid.z);
-    const Eight translation = (wanted + anchor) - anchor;
-    const Eight rest = translation - wanted;
-    const Eight cost = x * (spread[0] * x + 2.0 * (spread[3] * y + spread[4] * z)) +
-                       y * (spread[1] * y + 2.0 * spread[5] * z) + spread[2] * z * z + rest * rest;
+    const Pair x = {error[0][0], error[0][1]};
+    for (std::size_t i = 0; i < kChoices; i += 2) {
+        const double y = error[1][i >> 1 & 1], z = error[2][i >> 2];
+        const Pair wanted = row[3] - (x * centroid.x + (y * centroid.y + z * centroid.z));
+        const Pair nearest = (wanted + anchor) - anchor;
+        const Pair rest = nearest - wanted;
+        const Pair sum = x * (spread[0] * x + 2.0 * (spread[3] * y + spread[4] * z)) +
+                         (y * (spread[1] * y + 2.0 * spread[5] * z) + spread[2] * z * z) + rest * rest;
+        std::memcpy(&translation[i], &nearest, sizeof nearest);
+        std::memcpy(&cost[i], &sum, sizeof sum);
+    }
     std::size_t best = 0;
-    for (std::size_t i = 1; i < 8; ++i) best = cost[i] < cost[best] ? i : best;
+    for (std::size_t i = 1; i < kChoices; ++i) best = cost[i] < cost[best] ? i : best;
     rounded[0] = side[0][best & 1];
     rounded[1] = side[1][best >> 1 & 1];
     rounded[2] = side[2][best >> 2];
