@@ -18,10 +18,10 @@
 #define POSEPACK_FORMAT_H
 
 #define POSEPACK_FORMAT_MAJOR 1u
-#define POSEPACK_FORMAT_MINOR 3u /* draft 3 */
+#define POSEPACK_FORMAT_MINOR 4u /* draft 4 */
 
 /* Raised whenever equal inputs may give other bytes than before. */
-#define POSEPACK_BAKE_ABI 3u
+#define POSEPACK_BAKE_ABI 4u
 
 /* Limits of version 1. */
 #define POSEPACK_MAX_FILE_BYTES 268435456u /* 2^28 */
@@ -95,7 +95,7 @@
 #define POSEPACK_ORDER_PLANAR 1u
 #define POSEPACK_ORDER_TRANSPOSED 2u /* named, and refused by this draft */
 
-/* Row schemes. This draft writes and reads uniform rows and runs; all clips of a file have one scheme. */
+/* Row schemes of a file: uniform rows or runs. Of the clips of a file with runs, some may have slots. */
 #define POSEPACK_ROWS_UNIFORM 0u
 #define POSEPACK_ROWS_SLOTS 1u
 #define POSEPACK_ROWS_RUNS 2u
@@ -121,6 +121,7 @@
 #define POSEPACK_SECTION_STRS POSEPACK_FOURCC('S', 'T', 'R', 'S')
 #define POSEPACK_SECTION_PIXL POSEPACK_FOURCC('P', 'I', 'X', 'L')
 #define POSEPACK_SECTION_RUNS POSEPACK_FOURCC('R', 'U', 'N', 'S')
+#define POSEPACK_SECTION_SLOT POSEPACK_FOURCC('S', 'L', 'O', 'T')
 #define POSEPACK_SECTION_PROV POSEPACK_FOURCC('p', 'r', 'o', 'v')
 
 #define POSEPACK_TABLE_ALIGN_LOG2 3u /* every section but PIXL */
@@ -245,6 +246,14 @@
 #define POSEPACK_RUNS_MIN_WIDTH 64u    /* texels */
 #define POSEPACK_RUNS_MAX_HEIGHT 4096u /* lines: the width is the smallest that keeps below it */
 
+/*
+ * SLOT: two u32 for every clip, the number of slots before its own and that of its own; then all slots. A
+ * slot is a row (u16), an offset and a span (u8 each): a share of the clip's period, all of equal length,
+ * which goes from `offset` / `span` to (`offset` + 1) / `span` of the way from the row to the next, or, where
+ * the span is 0, through `offset` whole intervals.
+ */
+#define POSEPACK_SLOT_HEAD_BYTES 8u /* of each clip */
+#define POSEPACK_SLOT_BYTES 4u
 /* STRS: count u32, offsets u32[count + 1] into the bytes that follow; sorted, unique UTF-8. */
 
 #endif

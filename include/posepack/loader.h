@@ -107,6 +107,7 @@ typedef struct posepack_view {
     posepack_section sections[POSEPACK_MAX_SECTIONS];
     uint32_t clip_section, stat_section, bone_section, spac_section, strs_section, pixl_section;
     uint32_t runs_section; /* POSEPACK_NONE under uniform rows */
+    uint32_t slot_section; /* POSEPACK_NONE where no clip has slots */
 } posepack_view;
 
 /* UTF-8 inside the container's bytes; not terminated by a zero. */
@@ -140,10 +141,11 @@ typedef struct posepack_clip {
     uint32_t row_count; /* under runs: of the clip's longest run, its end included */
     uint32_t first_texel;
     uint32_t cut_count;
-    float rate_hz;   /* rows a second; 0 for a clip of one row */
-    float period_s;  /* loop: exact period; once and ping-pong: duration; 0 for one row */
-    float start_s;   /* glTF time of row 0 */
-    float speed_mps; /* ground speed at rate 1, 0 = not stated */
+    uint32_t slot_count; /* 0 unless row_scheme is POSEPACK_ROWS_SLOTS */
+    float rate_hz;       /* rows a second; 0 for a clip of one row */
+    float period_s;      /* loop: exact period; once and ping-pong: duration; 0 for one row */
+    float start_s;       /* glTF time of row 0 */
+    float speed_mps;     /* ground speed at rate 1, 0 = not stated */
     float stride_phase;
     float box_min[3], box_max[3]; /* bounds of every pose and blend, palette space */
     float sphere_center[3], sphere_radius;
@@ -266,6 +268,33 @@ typedef struct posepack_run {
 /* The run of bone `bone` in clip `clip_index`, under every row scheme. OK, ARG or INDEX. O(1). */
 posepack_result posepack_get_run(const posepack_view* view, uint32_t clip_index, uint32_t bone,
                                  posepack_run* run);
+
+/*
+ * A share of a clip's period: one of clip.slot_count, all of equal length. It goes from `offset` / `span` to
+ * (`offset` + 1) / `span` of the way from row `row` to the next, or, where `span` is 0, from `row` on through
+ * `offset` whole intervals (none: the row is held).
+ */
+typedef struct posepack_slot {
+    uint32_t row, offset, span;
+} posepack_slot;
+
+/* Slot `index` < clip.slot_count of clip `clip_index`. OK, ARG or INDEX. O(1). */
+posepack_result posepack_get_slot(const posepack_view* view, uint32_t clip_index, uint32_t index,
+                                  posepack_slot* slot);
+
+/* Two rows of a bone's run, counted from its first, and the share of the second, 0 to 1. */
+typedef struct posepack_place {
+    uint32_t row0, row1;
+    float factor;
+} posepack_place;
+
+/*
+ * The rows that show bone `bone` of a clip at a phase (as below), under every row scheme. Where the factor is
+ * 0 the pose is row0 alone, and row1 may be one behind the last. OK, ARG or INDEX. O(1) but for a search
+ * among the clip's cuts.
+ */
+posepack_result posepack_find_place(const posepack_view* view, uint32_t clip_index, float phase,
+                                    uint32_t bone, posepack_place* place);
 
 /*
  * Decodes one bone of a clip at a phase, as a shader does, under every row scheme: between two rows of its

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "fit/polyline.hpp"
+#include "fit/slots.hpp"
 #include "fit/tracks.hpp"
 #include "format/texels.h"
 #include "measure/measure_error.hpp"
@@ -26,6 +27,13 @@ constexpr int kMostTries = 8;          // of one fineness
 constexpr double kCloseEnough = 0.98;  // of the bound: not worth another try
 constexpr double kRounding = 3e-4;     // of R: what rounding adds to the largest error
 constexpr double kShortestReal = 0.75;
+constexpr int kMostSlotTries = 6;
+constexpr double kClearlySmaller = 0.95;  // slots cost a reader a step more than runs
+// Of the tightest limit: how far the lines that slots begin with may lie from the tracks. Least squares
+// halves that, and most places are nearer.
+constexpr double kFirstChord = 3.0;
+constexpr double kRmsToChord = 4.0;
+constexpr double kFarOff = 1.5;  // the share of the bound of rows that single bones do not keep it with
 
 struct Fineness {
     std::uint32_t samples_per_key, rows_per_key;
@@ -107,7 +115,20 @@ motion::Affine affine_of(const double* n) {
 }
 
 std::uint64_t bytes_of(const palette::ClipRuns& runs) {
-    return runs.texels.size() + runs.entries.size() * std::uint64_t{POSEPACK_RUN_BYTES};
+    return runs.texels.size() + runs.entries.size() * std::uint64_t{POSEPACK_RUN_BYTES} +
+           runs.slots.size() * std::uint64_t{POSEPACK_SLOT_BYTES};
+}
+
+// The mean square of a bone's distances, squared units of palette space, that rounding may leave: a third of
+// the tightest limit.
+double enough_of(const Limits& bound, double reach) {
+    const double limit = std::min({0.5 * bound.max, bound.p999, bound.rms}) * reach / 3.0;
+    return limit * limit;
+}
+
+// Errors of single bones below this are summed, but not counted.
+double floor_of(const Limits& bound) {
+    return 0.25 * std::min(bound.max, std::isfinite(bound.p999) ? bound.p999 : bound.max);
 }
 
 }  // namespace
@@ -138,12 +159,13 @@ void RowChooser::give_weightless_rows(std::vector<BoneRows>& rows) const {
 }
 
 std::optional<ChosenRows> RowChooser::encode(const fit::Tracks& tracks, fit::RowSelector& selector,
-                                             std::vector<BoneRows> rows) const {
+                                             std::vector<BoneRows> rows, const Limits& bound) const {
     give_weightless_rows(rows);
     const bool dualquat = tracks.form == fit::Form::dualquat;
     const std::size_t width = fit::numbers_of(tracks.form);
     palette::RunEncoder encoder(dualquat ? POSEPACK_ENCODING_DUALQUAT : POSEPACK_ENCODING_AFFINE,
-                                palette_.layout.texel_format, aids_, rows.size());
+                                palette_.layout.texel_format, aids_, rows.size(),
+                                enough_of(bound, palette_.reach()));
     for (std::size_t bone = 0; bone < rows.size(); ++bone) {
         if (rows[bone].like != animal::kNone) continue;
         const fit::Polyline& line = selector.line(bone, rows[bone].interval_count);
@@ -165,6 +187,8 @@ std::optional<ChosenRows> RowChooser::encode(const fit::Tracks& tracks, fit::Row
     ChosenRows out;
     encoder.grow_bounds(boxes_, out.bounds);
     out.runs = encoder.finish();
+    for (const fit::Slot& slot : tracks.slots.slots)
+        out.runs.slots.push_back(slot.row | slot.offset << 16 | slot.span << 24);
     return out;
 }
 
@@ -191,70 +215,149 @@ base::Result<ClipError> RowChooser::measure(PaletteClip clip) const {
     return stats.value().clips.front();
 }
 
-base::Result<ChosenRows> RowChooser::choose(std::uint32_t index, fit::Form form, const Limits& bound) {
-    const PaletteClip& clip = palette_.clips[index];
-    const animal::Clip& source = animal_.clips[clip.source];
-    const std::uint32_t row_bytes = (form == fit::Form::dualquat ? 2 : 3) *
-                                    (palette_.layout.texel_format == POSEPACK_TEXEL_RGBA16F ? 8 : 16);
-    const double floor = 0.25 * std::min(bound.max, std::isfinite(bound.p999) ? bound.p999 : bound.max);
+// What was tried for one clip under one bound, and what is the best of it.
+class RowChooser::Contest {
+ public:
+    Contest(const PaletteClip& clip, const Limits& bound) : clip(clip), bound(bound), wanted(bound) {
+        wanted.max = std::max(0.5 * bound.max, bound.max - kRounding);
+    }
+
+    void enter(ChosenRows rows, const Limits& expected, const ClipError& error) {
+        const std::uint64_t bytes = bytes_of(rows.runs);
+        share = shares_of(error, bound).largest();
+        attempts.push_back({rows.runs.encoding, !rows.runs.slots.empty(), bytes, error.max, error.p999,
+                            error.rms, share <= 1.0});
+        correction = corrected(wanted, expected, error);
+        if (share < nearest_share) {
+            nearest_share = share;
+            nearest = error;
+        }
+        if (share <= 1.0 && bytes < best_bytes()) best = std::move(rows);
+    }
+    bool has_best() const { return !best.runs.is_empty(); }
+    std::uint64_t best_bytes() const { return has_best() ? bytes_of(best.runs) : UINT64_MAX; }
+
+    const PaletteClip& clip;
+    const Limits bound;
+    Limits wanted;       // the bound, less what rounding adds
+    Limits correction;   // limits for single bones that should take up the bound, by the last try
+    double share = 0.0;  // of the bound, that the last try took
     ChosenRows best;
     std::vector<Attempt> attempts;
     ClipError nearest;
     double nearest_share = HUGE_VAL;
+};
+
+base::Result<bool> RowChooser::enter(const fit::Tracks& tracks, fit::RowSelector& selector,
+                                     const fit::Selection& selection, Contest& contest) const {
+    auto encoded = encode(tracks, selector, selection.rows, contest.bound);
+    if (!encoded) return false;
+    PaletteClip trial = contest.clip;
+    trial.runs = encoded->runs;
+    trial.bounds = encoded->bounds;
+    const auto error = measure(std::move(trial));
+    if (!error) return error.issue();
+    contest.enter(std::move(*encoded), selection.expected, error.value());
+    return true;
+}
+
+base::Status RowChooser::try_runs(const fit::Tracks& tracks, fit::RowSelector& selector,
+                                  Contest& contest) const {
+    Limits limits = contest.wanted;
+    Search search;
+    Limits base = limits;
+    for (int attempt = 0; attempt < kMostTries; ++attempt) {
+        if (attempt > 0) limits = scaled(base, search.scale());
+        const auto selection = selector.select(limits);
+        if (!selection) break;
+        const auto entered = enter(tracks, selector, *selection, contest);
+        if (!entered) return entered.issue();
+        if (!entered.value()) break;
+        if (attempt == 0) {
+            if (contest.share <= 1.0 && contest.share >= kCloseEnough) break;
+            base = contest.correction;
+        } else if (!search.step(contest.share)) {
+            break;
+        }
+    }
+    return {};
+}
+
+// Rows at uneven times, where they take clearly fewer bytes than runs, or keep the bound where no runs do.
+base::Status RowChooser::try_slots(fit::Tracks& tracks, Contest& contest) const {
+    if (tracks.interval_count == 0 || tracks.step) return {};
+    const animal::Clip& source = animal_.clips[contest.clip.source];
+    motion::ClipSampler sampler(animal_, source);
+    const std::vector<double> jumps_s = sampler.jump_times_s();
+    const double enough = contest.has_best() ? kClearlySmaller * contest.best_bytes() : HUGE_VAL;
+    const double first =
+        kFirstChord * std::min({contest.bound.max, contest.bound.p999, kRmsToChord * contest.bound.rms});
+    Search search;
+    for (int attempt = 0; attempt < kMostSlotTries; ++attempt) {
+        fit::SlotPlan plan = fit::plan_slots(tracks, bone_points_, first * search.scale(), palette_.reach(),
+                                             contest.clip.plan.period_s, jumps_s);
+        if (plan.slots.empty()) break;
+        fit::bend(tracks, std::move(plan));
+        fit::RowSelector selector(tracks, bone_points_, points_.size(), row_bytes(tracks.form),
+                                  palette_.reach(), floor_of(contest.bound), 1);
+        const auto selection = selector.select(contest.wanted);
+        double share = kFarOff;
+        if (selection) {
+            if (bytes_of(*selection, tracks) >= enough) break;
+            const auto entered = enter(tracks, selector, *selection, contest);
+            if (!entered) return entered.issue();
+            if (!entered.value()) break;
+            share = contest.share;
+        }
+        if (!search.step(share)) break;
+    }
+    return {};
+}
+
+std::uint32_t RowChooser::row_bytes(fit::Form form) const {
+    return (form == fit::Form::dualquat ? 2 : 3) * posepack_texel_bytes(palette_.layout.texel_format);
+}
+
+// Of the runs and slots that a selection makes.
+double RowChooser::bytes_of(const fit::Selection& selection, const fit::Tracks& tracks) const {
+    double rows = 0.0;
+    for (const BoneRows& bone : selection.rows)
+        if (bone.like == animal::kNone) rows += bone.interval_count + 1.0;
+    return rows * row_bytes(tracks.form) + selection.rows.size() * double{POSEPACK_RUN_BYTES} +
+           tracks.slots.slots.size() * double{POSEPACK_SLOT_BYTES};
+}
+
+base::Result<ChosenRows> RowChooser::choose(std::uint32_t index, fit::Form form, const Limits& bound) {
+    const PaletteClip& clip = palette_.clips[index];
+    const animal::Clip& source = animal_.clips[clip.source];
+    Contest contest(clip, bound);
     const palette::Hemispheres before = hemispheres_;
     for (const Fineness& fineness : kFineness) {
         hemispheres_ = before;
-        const fit::Tracks tracks = fit::sample_tracks(animal_, source, clip.plan, palette_.spaces, form,
-                                                      fineness.samples_per_key, hemispheres_);
-        fit::RowSelector selector(tracks, bone_points_, points_.size(), row_bytes, palette_.reach(), floor,
-                                  fineness.rows_per_key);
-        Limits limits = bound;
-        limits.max = std::max(0.5 * bound.max, bound.max - kRounding);
-        Limits base = limits;
-        Search search;
-        for (int attempt = 0; attempt < kMostTries; ++attempt) {
-            if (attempt > 0) limits = scaled(base, search.scale());
-            const auto selection = selector.select(limits);
-            if (!selection) break;
-            auto encoded = encode(tracks, selector, selection->rows);
-            if (!encoded) break;
-            PaletteClip trial = clip;
-            trial.runs = encoded->runs;
-            trial.bounds = encoded->bounds;
-            const auto error = measure(std::move(trial));
-            if (!error) return error.issue();
-            const Shares shares = shares_of(error.value(), bound);
-            const bool keeps = shares.largest() <= 1.0;
-            attempts.push_back({encoded->runs.encoding, bytes_of(encoded->runs), error.value().max,
-                                error.value().p999, error.value().rms, keeps});
-            if (shares.largest() < nearest_share) {
-                nearest_share = shares.largest();
-                nearest = error.value();
-            }
-            if (keeps && (best.runs.is_empty() || bytes_of(encoded->runs) < bytes_of(best.runs)))
-                best = std::move(*encoded);
-            if (attempt == 0) {
-                if (keeps && shares.largest() >= kCloseEnough) break;
-                base = corrected(bound, selection->expected, error.value());
-            } else if (!search.step(shares.largest())) {
-                break;
-            }
-        }
-        if (!best.runs.is_empty()) break;
+        fit::Tracks tracks = fit::sample_tracks(animal_, source, clip.plan, palette_.spaces, form,
+                                                fineness.samples_per_key, hemispheres_);
+        fit::RowSelector selector(tracks, bone_points_, points_.size(), row_bytes(form), palette_.reach(),
+                                  floor_of(bound), fineness.rows_per_key);
+        if (auto status = try_runs(tracks, selector, contest); !status) return status.issue();
+        if (auto status = try_slots(tracks, contest); !status) return status.issue();
+        if (contest.has_best()) break;
     }
-    if (best.runs.is_empty())
+    if (!contest.has_best())
         return base::Issue{
             base::IssueCode::lim_bound, source.name,
-            nearest_share < HUGE_VAL
+            contest.nearest_share < HUGE_VAL
                 ? fmt::format("expected errors within max {:.3g}, p99.9 {:.3g} of R, found max {:.3g}, p99.9 "
                               "{:.3g} at {:.4g} s, bone '{}', with {} rows a key",
-                              bound.max, bound.p999, nearest.max, nearest.p999, nearest.time_s,
-                              nearest.bone < animal_.bones.size() ? animal_.bones[nearest.bone].name : "-",
+                              bound.max, bound.p999, contest.nearest.max, contest.nearest.p999,
+                              contest.nearest.time_s,
+                              contest.nearest.bone < animal_.bones.size()
+                                  ? animal_.bones[contest.nearest.bone].name
+                                  : "-",
                               kFineness[1].rows_per_key)
                 : fmt::format("expected errors within max {:.3g} of R, found more with {} rows a key",
                               bound.max, kFineness[1].rows_per_key)};
-    best.attempts = std::move(attempts);
-    return best;
+    contest.best.attempts = std::move(contest.attempts);
+    return std::move(contest.best);
 }
 
 base::Status choose_rows(const animal::Animal& animal, const motion::SkinSet& points,

@@ -21,7 +21,8 @@ namespace posepack::choose {
 // is taken.
 struct Attempt {
     std::uint8_t encoding = 0;
-    std::uint64_t bytes = 0;  // of bone-rows and entries
+    bool has_slots = false;
+    std::uint64_t bytes = 0;  // of bone-rows, entries and slots
     float max = 0, p999 = 0, rms = 0;
     bool keeps_bound = false;
 };
@@ -47,9 +48,17 @@ class RowChooser {
     base::Result<ChosenRows> choose(std::uint32_t index, fit::Form form, const fit::Limits& bound);
 
  private:
+    class Contest;
     base::Result<palette::ClipError> measure(palette::PaletteClip clip) const;
+    base::Status try_runs(const fit::Tracks& tracks, fit::RowSelector& selector, Contest& contest) const;
+    base::Status try_slots(fit::Tracks& tracks, Contest& contest) const;
+    // Encodes, measures and enters one selection; whether it could be encoded.
+    base::Result<bool> enter(const fit::Tracks& tracks, fit::RowSelector& selector,
+                             const fit::Selection& selection, Contest& contest) const;
     std::optional<ChosenRows> encode(const fit::Tracks& tracks, fit::RowSelector& selector,
-                                     std::vector<fit::BoneRows> rows) const;
+                                     std::vector<fit::BoneRows> rows, const fit::Limits& bound) const;
+    std::uint32_t row_bytes(fit::Form form) const;
+    double bytes_of(const fit::Selection& selection, const fit::Tracks& tracks) const;
     void give_weightless_rows(std::vector<fit::BoneRows>& rows) const;
 
     const animal::Animal& animal_;

@@ -67,16 +67,18 @@ void write_matrix(Form form, const double* n, float* m) {
     m[11] = static_cast<float>(h * (w * n[6] - n[7] * z + (x * n[5] - y * n[4])));
 }
 
-// Squares of the distances, weights taken in, that a difference of matrices makes.
+// The square of the distance, weight taken in, that a difference of matrices makes of one point.
+float square_of(const float* e, const BonePoints& points, std::size_t i, float scale) {
+    const float x = points.x[i], y = points.y[i], z = points.z[i];
+    const float dx = e[0] * x + e[1] * y + e[2] * z + e[3];
+    const float dy = e[4] * x + e[5] * y + e[6] * z + e[7];
+    const float dz = e[8] * x + e[9] * y + e[10] * z + e[11];
+    const float w = points.weight[i] * scale;
+    return w * w * (dx * dx + dy * dy + dz * dz);
+}
+
 void squares_of(const float* e, const BonePoints& points, float scale, float* out) {
-    for (std::size_t i = 0; i < points.x.size(); ++i) {
-        const float x = points.x[i], y = points.y[i], z = points.z[i];
-        const float dx = e[0] * x + e[1] * y + e[2] * z + e[3];
-        const float dy = e[4] * x + e[5] * y + e[6] * z + e[7];
-        const float dz = e[8] * x + e[9] * y + e[10] * z + e[11];
-        const float w = points.weight[i] * scale;
-        out[i] = w * w * (dx * dx + dy * dy + dz * dz);
-    }
+    for (std::size_t i = 0; i < points.x.size(); ++i) out[i] = square_of(e, points, i, scale);
 }
 
 }  // namespace
@@ -146,6 +148,18 @@ Profile profile_of(const Tracks& tracks, const Polyline& line, std::size_t bone,
     }
     profile.max = std::sqrt(static_cast<double>(max));
     return profile;
+}
+
+float largest_square(const Tracks& tracks, std::size_t bone, std::size_t sample, const double* numbers,
+                     const BonePoints& points, float scale) {
+    std::array<float, 12> found{};
+    write_matrix(tracks.form, numbers, found.data());
+    const std::span<const float> exact = tracks.exact_at(bone, sample);
+    for (std::size_t i = 0; i < 12; ++i) found[i] -= exact[i];
+    float largest = 0.0f;
+    for (std::size_t i = 0; i < points.x.size(); ++i)
+        largest = std::max(largest, square_of(found.data(), points, i, scale));
+    return largest;
 }
 
 double distance_between(const Tracks& tracks, std::size_t first, std::size_t second, const BonePoints& points,

@@ -50,6 +50,11 @@ class Profile {
 Profile profile_of(const Tracks& tracks, const Polyline& line, std::size_t bone, const BonePoints& points,
                    double reach, double floor, std::vector<float>* sample_errors = nullptr);
 
+// The largest square of a distance, fraction of R, that numbers make at a sample of a bone's exact motion.
+//   scale  1 / R in units of palette space
+float largest_square(const Tracks& tracks, std::size_t bone, std::size_t sample, const double* numbers,
+                     const BonePoints& points, float scale);
+
 // How far two bones carry the vertices of the second apart, at a few samples, fraction of R: nothing where
 // they move alike. Stops above `enough`.
 double distance_between(const Tracks& tracks, std::size_t first, std::size_t second, const BonePoints& points,

@@ -15,6 +15,7 @@ constexpr double kShareAbove = 0.001;  // of places may lie above p99.9
 std::vector<std::uint32_t> make_ladder(const Tracks& tracks, std::uint32_t finest) {
     std::vector<std::uint32_t> ladder{0};
     if (tracks.interval_count == 0) return ladder;
+    if (!tracks.slots.slots.empty()) return {0, tracks.slots.interval_count};
     const std::uint32_t keys = tracks.key_intervals;
     const std::uint32_t least = tracks.loop ? 2 : 1;
     for (double below = keys; below >= least; below *= 0.88)

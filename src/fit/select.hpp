@@ -33,7 +33,8 @@ class RowSelector {
  public:
     //   row_bytes  of one bone-row
     //   reach  R in units of palette space
-    //   finest  rows at most so many times as many as the key grid's; the tracks hold twice as many samples
+    //   finest  rows at most so many times as many as the key grid's; the tracks hold twice as many samples.
+    //           With slots a bone has their rows or none.
     RowSelector(const Tracks& tracks, const std::vector<BonePoints>& points, std::size_t point_count,
                 std::uint32_t row_bytes, double reach, double floor, std::uint32_t finest);
 

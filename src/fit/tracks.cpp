@@ -76,7 +76,7 @@ Tracks sample_tracks(const animal::Animal& animal, const animal::Clip& clip, con
     const bool loop = tracks.loop && tracks.interval_count > 0;
     constexpr double kHairS = 1e-9;
     for (std::size_t k = 0; k < tracks.sample_count() - (loop ? 1 : 0); ++k) {
-        const double time_s = tracks.phase(k) * plan.period_s;
+        const double time_s = tracks.time_phase(k) * plan.period_s;
         if (time_s > plan.duration_s + kHairS) break;
         sampler.sample(time_s, bones);
         spaces.enter(bones);

@@ -23,6 +23,16 @@ inline constexpr std::size_t numbers_of(Form form) {
     return form == Form::affine ? kAffineNumbers : kDualquatNumbers;
 }
 
+// A slot as the container has it: its share of the period goes from offset / span to (offset + 1) / span of
+// the way from row `row` to the next, or, where the span is 0, through `offset` intervals.
+struct Slot {
+    std::uint32_t row = 0, offset = 0, span = 0;
+};
+struct SlotPlan {
+    std::vector<Slot> slots;           // none: rows are even
+    std::uint32_t interval_count = 0;  // between the rows of every moving bone
+};
+
 // Samples 0 to interval_count of a clip, evenly over its period, of every bone.
 struct Tracks {
     Form form = Form::affine;
@@ -35,6 +45,8 @@ struct Tracks {
     std::vector<float> numbers;        // [bone][sample][number]
     std::vector<float> exact;          // [bone][sample][12]: matrices of palette space, row by row
     std::vector<bool> turned;          // the loop ends in the other hemisphere: -q for q
+    SlotPlan slots;                    // none: rows are even
+    std::vector<double> bent;          // with slots: phase of rows of every sample
 
     std::size_t sample_count() const { return std::size_t{interval_count} + 1; }
     std::span<const float> numbers_at(std::size_t bone, std::size_t sample) const {
@@ -44,9 +56,12 @@ struct Tracks {
     std::span<const float> exact_at(std::size_t bone, std::size_t sample) const {
         return std::span(exact).subspan((bone * sample_count() + sample) * 12, 12);
     }
-    double phase(std::size_t sample) const {
+    // Of time: the share of the period.
+    double time_phase(std::size_t sample) const {
         return interval_count == 0 ? 0.0 : static_cast<double>(sample) / interval_count;
     }
+    // Of rows: the share of the intervals of a run.
+    double phase(std::size_t sample) const { return bent.empty() ? time_phase(sample) : bent[sample]; }
 };
 
 // Samples a clip `per_key` times in each interval of its plan (at least 32 times in all).

@@ -69,6 +69,7 @@ static int encoding_is_consistent(const posepack_view* view) {
     if (view->header.texels_per_bone != texels) return 0;
     /* RUNS is known, and nothing is stored in vain. */
     if ((view->header.row_scheme == POSEPACK_ROWS_RUNS) != (view->runs_section != POSEPACK_NONE)) return 0;
+    if (view->runs_section == POSEPACK_NONE && view->slot_section != POSEPACK_NONE) return 0;
     return is_mixed || view->header.encoding == POSEPACK_ENCODING_DUALQUAT ? all_positive(length, 1)
                                                                            : posepack_all_zero(length, 4);
 }
@@ -231,11 +232,18 @@ static int clip_encoding_is_valid(const posepack_view* view, const uint8_t* r) {
            r[POSEPACK_CLIP_TEXELS_PER_BONE] == posepack_encoding_texels(encoding);
 }
 
+/* The header's, or in a file with runs slots for some clips. */
+static int clip_row_scheme_is_valid(const posepack_view* view, const uint8_t* r) {
+    const uint32_t row_scheme = r[POSEPACK_CLIP_ROW_SCHEME];
+    return row_scheme == view->header.row_scheme ||
+           (row_scheme == POSEPACK_ROWS_SLOTS && view->header.row_scheme == POSEPACK_ROWS_RUNS);
+}
+
 /* Names, encoding, enumerations, and what this draft leaves empty. */
 static int clip_kind_is_valid(const posepack_view* view, const uint8_t* r, uint32_t string_count) {
     return posepack_read_u32(r + POSEPACK_CLIP_NAME) < string_count &&
            posepack_read_u32(r + POSEPACK_CLIP_SOURCE_NAME) < string_count &&
-           clip_encoding_is_valid(view, r) && r[POSEPACK_CLIP_ROW_SCHEME] == view->header.row_scheme &&
+           clip_encoding_is_valid(view, r) && clip_row_scheme_is_valid(view, r) &&
            r[POSEPACK_CLIP_WRAP] <= POSEPACK_WRAP_PING_PONG && r[POSEPACK_CLIP_SEAM] <= POSEPACK_SEAM_OPEN &&
            closing_row_is_valid(r) && r[POSEPACK_CLIP_INTERPOLATION] <= POSEPACK_INTERPOLATION_STEP &&
            r[POSEPACK_CLIP_FLAGS] <= POSEPACK_CLIP_FLAG_MEASURED &&
@@ -307,7 +315,7 @@ static int clip_cuts_are_valid(const uint8_t* r, const uint8_t* cuts, uint32_t c
     uint32_t i;
     if (posepack_read_u32(r + POSEPACK_CLIP_FIRST_CUT) != *next_cut) return 0;
     if (count > cut_count - *next_cut) return 0;
-    if (count > 0 && r[POSEPACK_CLIP_ROW_SCHEME] == POSEPACK_ROWS_RUNS) return 0;
+    if (count > 0 && r[POSEPACK_CLIP_ROW_SCHEME] != POSEPACK_ROWS_UNIFORM) return 0;
     cuts += 4 * *next_cut;
     for (i = 0; i < count; ++i) {
         if (posepack_read_u32(cuts + 4 * i) >= row_count) return 0;
@@ -384,6 +392,7 @@ posepack_result posepack_check_tables(const posepack_view* view) {
     if (!space_is_valid(view, &counts)) return POSEPACK_ERROR_SEMANTIC;
     if (!clips_are_valid(view, &counts)) return POSEPACK_ERROR_SEMANTIC;
     if (!states_are_valid(view, counts.strings)) return POSEPACK_ERROR_SEMANTIC;
-    if (view->runs_section != POSEPACK_NONE && !posepack_runs_are_valid(view)) return POSEPACK_ERROR_SEMANTIC;
+    if (view->runs_section == POSEPACK_NONE) return POSEPACK_OK;
+    if (!posepack_runs_are_valid(view) || !posepack_slots_are_valid(view)) return POSEPACK_ERROR_SEMANTIC;
     return POSEPACK_OK;
 }

@@ -37,6 +37,20 @@ const uint8_t* posepack_clip_record(const posepack_view* view, uint32_t index);
 /* The stored run of a bone in a clip; under runs only. */
 uint32_t posepack_stored_run(const posepack_view* view, uint32_t clip, uint32_t bone);
 
+/* The stored slots of a clip, as many as SLOT has room for; none where the clip has none. */
+typedef struct posepack_slot_range {
+    const uint8_t* slots;
+    uint32_t count;
+} posepack_slot_range;
+posepack_slot_range posepack_stored_slots(const posepack_view* view, uint32_t clip);
+posepack_slot posepack_unpack_slot(const uint8_t* stored);
+
+/* The rows at a phase, 0 to 1, in at least one slot. */
+posepack_place posepack_place_in_slots(posepack_slot_range range, float phase);
+
+/* SLOT, once runs are known to be valid; also that it is there where a clip needs it, and only there. */
+int posepack_slots_are_valid(const posepack_view* view);
+
 /* RUNS, once every other table is known to be valid. */
 int posepack_runs_are_valid(const posepack_view* view);
 

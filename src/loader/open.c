@@ -7,12 +7,12 @@
 #include "format/crc32c.h"
 #include "loader/internal.h"
 
-/* The sections that must be there, then RUNS, and where the view keeps their indices. */
+/* The sections that must be there, then RUNS and SLOT, and where the view keeps their indices. */
 #define REQUIRED_SECTION_COUNT 6u
-#define KNOWN_SECTION_COUNT 7u
+#define KNOWN_SECTION_COUNT 8u
 static const uint32_t kKnownTypes[KNOWN_SECTION_COUNT] = {
     POSEPACK_SECTION_CLIP, POSEPACK_SECTION_STAT, POSEPACK_SECTION_BONE, POSEPACK_SECTION_SPAC,
-    POSEPACK_SECTION_STRS, POSEPACK_SECTION_PIXL, POSEPACK_SECTION_RUNS};
+    POSEPACK_SECTION_STRS, POSEPACK_SECTION_PIXL, POSEPACK_SECTION_RUNS, POSEPACK_SECTION_SLOT};
 
 static uint32_t* known_section(posepack_view* view, uint32_t known) {
     uint32_t* fields[KNOWN_SECTION_COUNT];
@@ -23,6 +23,7 @@ static uint32_t* known_section(posepack_view* view, uint32_t known) {
     fields[4] = &view->strs_section;
     fields[5] = &view->pixl_section;
     fields[6] = &view->runs_section;
+    fields[7] = &view->slot_section;
     return fields[known];
 }
 
@@ -225,6 +226,7 @@ static posepack_result open_checked(posepack_view* view, const uint8_t* bytes, s
     copy_header(&view->header, bytes);
     view->bytes = bytes;
     view->runs_section = POSEPACK_NONE;
+    view->slot_section = POSEPACK_NONE;
     result = check_header(&view->header, size);
     if (result == POSEPACK_OK) result = copy_table(view, bytes, (uint32_t)size);
     if (result == POSEPACK_OK) result = identify_sections(view);

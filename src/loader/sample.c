@@ -72,24 +72,26 @@ static int is_cut(const posepack_view* view, const uint8_t* record, uint32_t cli
     return 0;
 }
 
-/* Two rows of a run, and how far the pose is from the first to the second. */
-typedef struct sample_place {
-    uint32_t row, next;
-    float factor;
-} sample_place;
-
-static sample_place place_of(const posepack_view* view, const uint8_t* record, uint32_t clip,
-                             const posepack_run* run, float phase) {
+/* Rows at even times. */
+static posepack_place place_in_run(const posepack_run* run, float phase) {
     const uint32_t intervals = run->interval_count;
     const float position = phase * (float)intervals;
-    sample_place place;
-    place.row = position >= (float)intervals ? (intervals > 0 ? intervals - 1 : 0) : (uint32_t)position;
-    place.factor = position - (float)place.row;
-    place.next = run->wraps && place.row + 1 == intervals ? 0 : place.row + 1;
+    posepack_place place;
+    place.row0 = position >= (float)intervals ? (intervals > 0 ? intervals - 1 : 0) : (uint32_t)position;
+    place.factor = position - (float)place.row0;
+    place.row1 = run->wraps && place.row0 + 1 == intervals ? 0 : place.row0 + 1;
+    return place;
+}
+
+static posepack_place place_of(const posepack_view* view, const uint8_t* record, uint32_t clip,
+                               const posepack_run* run, float phase) {
+    const posepack_slot_range slots = posepack_stored_slots(view, clip);
+    posepack_place place = slots.count > 0 && run->interval_count > 0 ? posepack_place_in_slots(slots, phase)
+                                                                      : place_in_run(run, phase);
     if (record[POSEPACK_CLIP_INTERPOLATION] == POSEPACK_INTERPOLATION_STEP ||
-        is_cut(view, record, clip, place.row)) {
+        is_cut(view, record, clip, place.row0)) {
         /* A row is held until the next begins. */
-        if (place.factor >= 1.0f) place.row = place.next;
+        if (place.factor >= 1.0f) place.row0 = place.row1;
         place.factor = 0.0f;
     }
     return place;
@@ -109,12 +111,12 @@ static int form_of(const posepack_view* view, const uint8_t* record, const posep
 static void sample_run(const posepack_view* view, uint32_t clip, const posepack_run* run, float phase,
                        float* matrix) {
     const uint8_t* record = posepack_clip_record(view, clip);
-    const sample_place place = place_of(view, record, clip, run, phase);
+    const posepack_place place = place_of(view, record, clip, run, phase);
     posepack_bone_form form;
     const uint8_t *a = NULL, *b = NULL;
     if (form_of(view, record, run, &form)) {
-        a = texel_at(view, run->texel + (uint64_t)place.row * run->texel_step, &form);
-        b = texel_at(view, run->texel + (uint64_t)place.next * run->texel_step, &form);
+        a = texel_at(view, run->texel + (uint64_t)place.row0 * run->texel_step, &form);
+        b = texel_at(view, run->texel + (uint64_t)place.row1 * run->texel_step, &form);
     }
     if (a == NULL || (b == NULL && place.factor > 0.0f)) {
         clear(matrix);
@@ -138,6 +140,27 @@ posepack_result posepack_get_run(const posepack_view* view, uint32_t clip_index,
         return POSEPACK_ERROR_INDEX;
     }
     *run = run_of(view, posepack_clip_record(view, clip_index), clip_index, bone);
+    return POSEPACK_OK;
+}
+
+posepack_result posepack_get_slot(const posepack_view* view, uint32_t clip_index, uint32_t index,
+                                  posepack_slot* slot) {
+    posepack_slot_range slots;
+    if (!is_open(view) || slot == NULL) return POSEPACK_ERROR_ARG;
+    if (clip_index >= view->header.clip_count) return POSEPACK_ERROR_INDEX;
+    slots = posepack_stored_slots(view, clip_index);
+    if (index >= slots.count) return POSEPACK_ERROR_INDEX;
+    *slot = posepack_unpack_slot(slots.slots + POSEPACK_SLOT_BYTES * index);
+    return POSEPACK_OK;
+}
+
+posepack_result posepack_find_place(const posepack_view* view, uint32_t clip_index, float phase,
+                                    uint32_t bone, posepack_place* place) {
+    posepack_run run;
+    const posepack_result result =
+        place == NULL ? POSEPACK_ERROR_ARG : posepack_get_run(view, clip_index, bone, &run);
+    if (result != POSEPACK_OK) return result;
+    *place = place_of(view, posepack_clip_record(view, clip_index), clip_index, &run, clamped(phase));
     return POSEPACK_OK;
 }
 

@@ -114,6 +114,7 @@ posepack_result posepack_get_clip(const posepack_view* view, uint32_t index, pos
     clip->first_row = posepack_read_u32(r + POSEPACK_CLIP_FIRST_ROW);
     clip->row_count = posepack_read_u32(r + POSEPACK_CLIP_ROW_COUNT);
     clip->first_texel = posepack_read_u32(r + POSEPACK_CLIP_FIRST_TEXEL);
+    clip->slot_count = posepack_stored_slots(view, index).count;
     clip->cut_count = posepack_read_u32(r + POSEPACK_CLIP_CUT_COUNT);
     clip->rate_hz = posepack_read_f32(r + POSEPACK_CLIP_RATE_HZ);
     clip->period_s = posepack_read_f32(r + POSEPACK_CLIP_PERIOD_S);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <set>
 
 #include "posepack/format.h"
@@ -17,18 +18,36 @@ constexpr double kEqualTimesS = 1e-6;
 // Beside a jump: the sampler takes a step up to 1e-6 s early, for the row that was meant for it.
 constexpr double kBesideJumpS = 1.5e-6;
 
+// Times of the rows of a clip with slots.
+void add_slot_times(const palette::PaletteClip& clip, std::vector<double>& times_s) {
+    const double slot_s = clip.plan.period_s / static_cast<double>(clip.runs.slots.size());
+    for (std::size_t i = 0; i < clip.runs.slots.size(); ++i) {
+        const std::uint32_t word = clip.runs.slots[i];
+        const std::uint32_t offset = word >> 16 & 0xFF;
+        const bool is_whole = word >> 24 == 0;
+        if (!is_whole && offset > 0) continue;  // between two rows
+        const std::uint32_t rows = is_whole ? std::max(offset, 1u) : 1;
+        for (std::uint32_t row = 0; row < rows; ++row)
+            times_s.push_back(slot_s * (static_cast<double>(i) + static_cast<double>(row) / rows));
+    }
+}
+
 // Rows and keys up to the last key.
 std::vector<double> marks_of(const palette::PaletteClip& clip, std::span<const double> key_times_s) {
     const motion::RowPlan& plan = clip.plan;
     std::vector<double> marks(key_times_s.begin(), key_times_s.end());
     std::set<std::uint32_t> interval_counts;
     for (const std::uint32_t run : clip.runs.entries) interval_counts.insert(run >> POSEPACK_RUN_OFFSET_BITS);
-    for (const std::uint32_t count : interval_counts)
-        for (std::uint32_t row = 0; row < count; ++row)
-            if (const double time_s = plan.period_s * row / count; time_s <= plan.duration_s)
-                marks.push_back(time_s);
+    std::vector<double> rows;
+    if (!clip.runs.slots.empty())
+        add_slot_times(clip, rows);
+    else
+        for (const std::uint32_t count : interval_counts)
+            for (std::uint32_t row = 0; row < count; ++row) rows.push_back(plan.period_s * row / count);
     for (std::uint32_t row = 0; row < plan.row_count && clip.runs.is_empty(); ++row)
-        if (plan.row_time_s(row) <= plan.duration_s) marks.push_back(plan.row_time_s(row));
+        rows.push_back(plan.row_time_s(row));
+    std::copy_if(rows.begin(), rows.end(), std::back_inserter(marks),
+                 [&](double time_s) { return time_s <= plan.duration_s; });
     marks.push_back(plan.duration_s);
     std::sort(marks.begin(), marks.end());
     // A key that float32 moved by a hair is the row that was meant for it.

@@ -123,7 +123,8 @@ struct ClipRows {
 ClipRows rows_of(const Palette& palette, const PaletteClip& clip) {
     if (clip.runs.is_empty())
         return {palette.layout.encoding, POSEPACK_ROWS_UNIFORM, clip.plan.row_count, clip.plan.rate_hz};
-    return {clip.runs.encoding, POSEPACK_ROWS_RUNS, clip.stored_rows(), clip.runs_rate_hz()};
+    const std::uint8_t scheme = clip.runs.slots.empty() ? POSEPACK_ROWS_RUNS : POSEPACK_ROWS_SLOTS;
+    return {clip.runs.encoding, scheme, clip.stored_rows(), clip.runs_rate_hz()};
 }
 
 void write_clip(ByteWriter& out, const Animal& animal, const Palette& palette, const PaletteClip& clip,
@@ -183,6 +184,19 @@ std::vector<std::uint8_t> runs_section(const Palette& palette) {
     ByteWriter out;
     for (const PaletteClip& clip : palette.clips)
         for (const std::uint32_t entry : clip.runs.entries) out.u32(entry);
+    return out.take();
+}
+
+std::vector<std::uint8_t> slots_section(const Palette& palette) {
+    ByteWriter out;
+    std::size_t first = 0;
+    for (const PaletteClip& clip : palette.clips) {
+        out.u32(static_cast<std::uint32_t>(first));
+        out.u32(static_cast<std::uint32_t>(clip.runs.slots.size()));
+        first += clip.runs.slots.size();
+    }
+    for (const PaletteClip& clip : palette.clips)
+        for (const std::uint32_t slot : clip.runs.slots) out.u32(slot);
     return out.take();
 }
 
@@ -331,6 +345,8 @@ std::vector<std::uint8_t> write_container(const Animal& animal, const Palette& p
                                      {POSEPACK_SECTION_STRS, POSEPACK_TABLE_ALIGN_LOG2, texts},
                                      {POSEPACK_SECTION_PIXL, POSEPACK_PIXL_ALIGN_LOG2, texels}};
     if (palette.has_runs()) sections.push_back({POSEPACK_SECTION_RUNS, POSEPACK_TABLE_ALIGN_LOG2, runs});
+    const auto slots = slots_section(palette);
+    if (palette.has_slots()) sections.push_back({POSEPACK_SECTION_SLOT, POSEPACK_TABLE_ALIGN_LOG2, slots});
     sections.push_back({POSEPACK_SECTION_PROV, POSEPACK_TABLE_ALIGN_LOG2, recipe});
     ByteWriter out;
     write_header(out, palette, static_cast<std::uint32_t>(std::size(sections)), base::sha256(recipe));

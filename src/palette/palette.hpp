@@ -2,6 +2,7 @@
 // Palette: the baked rows of an animal and everything a container says about them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -35,7 +36,7 @@ struct PaletteClip {
         if (closing_row && wraps) blend.row1 = plan.row_count;
         return blend;
     }
-    // Rows a second of the longest run; 0 where all bones are still.
+    // Rows a second of the longest run, with slots on average; 0 where all bones are still.
     double runs_rate_hz() const { return runs.longest > 0 ? runs.longest / plan.period_s : 0.0; }
     std::uint32_t stored_rows() const {
         return runs.is_empty() ? plan.row_count + (closing_row ? 1 : 0) : runs.longest + 1;
@@ -60,6 +61,10 @@ struct Palette {
     std::vector<std::uint8_t> pixels;
 
     bool has_runs() const { return layout.run_texels > 0; }
+    bool has_slots() const {
+        return std::any_of(clips.begin(), clips.end(),
+                           [](const PaletteClip& clip) { return !clip.runs.slots.empty(); });
+    }
     // R in units of palette space.
     double reach() const { return spaces.normalised ? 1.0 : radius; }
 };

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kSmallestNormalHalf = 0x1p-14;
 constexpr int kRealLengths = 24;
+constexpr int kRealLengthsTried = 64;  // where the cost is still too high
 
 // Half floats as doubles: multiples of a step that depends on the number's size. All of this is exact, and
 // many times faster than to convert to halves and back.
@@ -138,6 +139,23 @@ glm::dvec4 round_vector(const glm::dvec4& v, const HalfGrid& grid) {
     return {grid.nearest(v.x), grid.nearest(v.y), grid.nearest(v.z), grid.nearest(v.w)};
 }
 
+void keep(const DualNumbers& n, std::span<float, 8> rounded) {
+    for (int c = 0; c < 4; ++c) {
+        rounded[static_cast<std::size_t>(c)] = static_cast<float>(n.real[c]);
+        rounded[static_cast<std::size_t>(4 + c)] = static_cast<float>(n.dual[c]);
+    }
+}
+
+// One of the sixteen ways to round four numbers up or down.
+glm::dvec4 round_to_side(const glm::dvec4& v, int sides, const HalfGrid& grid) {
+    glm::dvec4 out;
+    for (int c = 0; c < 4; ++c) {
+        out[c] = grid.nearest(v[c]);
+        if (sides >> c & 1) out[c] = grid.nearest(out[c] + std::copysign(grid.step(v[c]), v[c] - out[c]));
+    }
+    return out;
+}
+
 }  // namespace
 
 void round_affine(const motion::Affine& matrix, const BoneMoment& moment, Halves allowed,
@@ -162,26 +180,29 @@ void dualquat_numbers(const Similarity& target, double length, std::span<double,
 }
 
 void round_dualquat(const motion::Affine& exact, const Similarity& target, const BoneMoment& moment,
-                    double length, Halves allowed, std::span<float, 8> rounded, double span) {
+                    double length, Halves allowed, std::span<float, 8> rounded, double enough, double span) {
     const HalfGrid grid(allowed);
     const glm::dvec3 kept = exact * moment.centroid;
     double least = HUGE_VAL;
-    for (int i = 0; i < kRealLengths; ++i) {
+    const auto try_length = [&](double real_length, int ways) {
         DualNumbers n;
-        n.real = round_vector((1.0 - span * i / (kRealLengths - 1)) * target.rotation, grid);
+        n.real = round_vector(real_length * target.rotation, grid);
         const glm::dmat3 rotation = rotation_matrix(n.real);
         // Before the scale is rounded too, which is seen last.
-        if (i > 0 && !(spread_cost(target.scale * rotation, exact.linear, moment) < least)) continue;
+        if (least < HUGE_VAL && !(spread_cost(target.scale * rotation, exact.linear, moment) < least)) return;
         const glm::dvec3 translation = kept - target.scale * (rotation * moment.centroid);
-        n.dual = round_vector(dual_of(n.real, translation, target.scale, length), grid);
-        const double cost = cost_of(matrix_of(n, rotation, length), exact, moment);
-        if (i > 0 && !(cost < least)) continue;
-        least = cost;
-        for (int c = 0; c < 4; ++c) {
-            rounded[static_cast<std::size_t>(c)] = static_cast<float>(n.real[c]);
-            rounded[static_cast<std::size_t>(4 + c)] = static_cast<float>(n.dual[c]);
+        const glm::dvec4 dual = dual_of(n.real, translation, target.scale, length);
+        for (int sides = 0; sides < ways; ++sides) {
+            n.dual = round_to_side(dual, sides, grid);
+            const double cost = cost_of(matrix_of(n, rotation, length), exact, moment);
+            if (least < HUGE_VAL && !(cost < least)) continue;
+            least = cost;
+            keep(n, rounded);
         }
-    }
+    };
+    for (int i = 0; i < kRealLengths; ++i) try_length(1.0 - span * i / (kRealLengths - 1), 1);
+    for (int i = 0; i < kRealLengthsTried && least > enough; ++i)
+        try_length(1.0 - span * i / (kRealLengthsTried - 1), 16);
 }
 
 }  // namespace posepack::palette

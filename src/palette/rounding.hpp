@@ -2,6 +2,7 @@
 // Rounding to halves that a bone's vertices notice least: docs/encodings/affine.md and dualquat.md.
 #pragma once
 
+#include <cmath>
 #include <span>
 
 #include "motion/affine.hpp"
@@ -27,9 +28,12 @@ void round_affine(const motion::Affine& matrix, const BoneMoment& moment, Halves
 //   exact   the matrix that is meant
 //   target  its nearest similarity, in the hemisphere wanted
 //   length  L
+//   enough  mean square of the distances, squared units of palette space, above which more lengths are tried,
+//           each with the dual part rounded up and down in all ways
 inline constexpr double kRealSpan = 0.004;
 void round_dualquat(const motion::Affine& exact, const Similarity& target, const BoneMoment& moment,
-                    double length, Halves allowed, std::span<float, 8> rounded, double span = kRealSpan);
+                    double length, Halves allowed, std::span<float, 8> rounded, double enough = HUGE_VAL,
+                    double span = kRealSpan);
 
 // The eight numbers before rounding, real part of length 1.
 void dualquat_numbers(const Similarity& target, double length, std::span<double, 8> numbers);

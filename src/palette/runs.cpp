@@ -30,8 +30,8 @@ posepack_dualquat dualquat_at(const float* numbers) {
 }  // namespace
 
 RunEncoder::RunEncoder(std::uint8_t encoding, std::uint8_t texel_format, const RoundingAids& aids,
-                       std::size_t bone_count)
-    : encoding_(encoding), texel_format_(texel_format), aids_(aids), runs_(bone_count) {}
+                       std::size_t bone_count, double enough)
+    : encoding_(encoding), texel_format_(texel_format), aids_(aids), enough_(enough), runs_(bone_count) {}
 
 bool RunEncoder::store(std::size_t bone, std::span<const float> numbers, std::size_t row_count) {
     const bool half = texel_format_ == POSEPACK_TEXEL_RGBA16F;
@@ -71,7 +71,7 @@ bool RunEncoder::add_dualquat(std::size_t bone, std::span<const Similarity> rows
         } else if (texel_format_ == POSEPACK_TEXEL_RGBA16F) {
             const motion::Affine exact{rows[r].scale * rotation_matrix(rows[r].rotation),
                                        rows[r].translation};
-            round_dualquat(exact, rows[r], aids_.moments[bone], length, aids_.halves, out);
+            round_dualquat(exact, rows[r], aids_.moments[bone], length, aids_.halves, out, enough_);
         } else {
             std::array<double, 8> exact{};
             dualquat_numbers(rows[r], length, exact);

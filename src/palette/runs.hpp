@@ -3,6 +3,7 @@
 // (docs/format/posepack-1.md, section 10).
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -20,6 +21,7 @@ struct ClipRuns {
     std::vector<std::uint32_t> entries;  // one a bone, as in RUNS
     std::vector<std::uint8_t> texels;    // of all bone-rows, one behind the other
     std::uint32_t longest = 0;           // intervals of the longest run
+    std::vector<std::uint32_t> slots;    // as in SLOT; none: rows are even
 
     bool is_empty() const { return entries.empty(); }
 };
@@ -28,9 +30,9 @@ struct ClipRuns {
 // share.
 class RunEncoder {
  public:
-    // `aids` as for uniform rows; they must outlive the encoder.
+    // `aids` as for uniform rows; they must outlive the encoder. `enough` as of round_dualquat.
     RunEncoder(std::uint8_t encoding, std::uint8_t texel_format, const RoundingAids& aids,
-               std::size_t bone_count);
+               std::size_t bone_count, double enough = HUGE_VAL);
 
     // Rows of a bone, the end of the run included, as matrices or as similarities whose rotations keep the
     // lengths they are given with.
@@ -52,6 +54,7 @@ class RunEncoder {
 
     std::uint8_t encoding_, texel_format_;
     const RoundingAids& aids_;
+    double enough_;
     struct Run {
         std::uint32_t first_row = 0, interval_count = 0;
     };

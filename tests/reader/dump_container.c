@@ -108,6 +108,7 @@ static void print_clip_errors(const posepack_clip_error* error) {
 
 static void print_clip(const posepack_view* view, uint32_t index) {
     posepack_clip clip;
+    posepack_slot slot;
     uint32_t i, row;
     if (posepack_get_clip(view, index, &clip) != POSEPACK_OK) exit(3);
     printf("clip %" PRIu32, index);
@@ -135,7 +136,11 @@ static void print_clip(const posepack_view* view, uint32_t index) {
     print_clip_errors(&clip.error);
     printf("  cuts");
     for (i = 0; posepack_get_cut(view, index, i, &row) == POSEPACK_OK; ++i) printf(" %" PRIu32, row);
+    printf("\n  slots");
+    for (i = 0; posepack_get_slot(view, index, i, &slot) == POSEPACK_OK; ++i)
+        printf(" %" PRIu32 ":%" PRIu32 "/%" PRIu32, slot.row, slot.offset, slot.span);
     printf("\n");
+    if (i != clip.slot_count) exit(3);
 }
 
 static void print_states(const posepack_view* view) {

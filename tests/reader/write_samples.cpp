@@ -89,6 +89,20 @@ int write_good_runs(const fs::path& folder) {
     return written + 1;
 }
 
+// Slots in every encoding, with every wrap and held rows.
+int write_good_slots(const fs::path& folder) {
+    int written = 0;
+    for (std::uint32_t variant = 0; variant < 3 * 3 * 2 * 2; ++variant) {
+        RunOptions options = tiny_slots(static_cast<std::uint8_t>(POSEPACK_ENCODING_MAT4 + variant % 3));
+        options.clips[1].wrap = static_cast<std::uint8_t>(variant / 3 % 3);
+        options.clips[1].interpolation = variant / 9 & 1;
+        options.texel_format = variant / 18 & 1 ? POSEPACK_TEXEL_RGBA32F : POSEPACK_TEXEL_RGBA16F;
+        write(folder / ("slots_" + std::to_string(variant) + ".posepack"), make_run_container(options));
+        ++written;
+    }
+    return written;
+}
+
 // Each rule about runs broken once, and what just keeps it.
 int write_run_cases(const fs::path& folder) {
     int written = 0;
@@ -137,12 +151,15 @@ int write_damaged_rows(const fs::path& folder, std::uint8_t encoding) {
     return write_damaged(folder, std::to_string(encoding), good, section_offset(good, POSEPACK_SECTION_STRS));
 }
 
-// Also every bit of RUNS.
-int write_damaged_runs(const fs::path& folder, std::uint8_t idle, std::uint8_t walk) {
-    const std::string name = "runs_" + std::to_string(idle) + std::to_string(walk);
-    const Bytes good = make_run_container(tiny_runs(idle, walk));
-    const std::size_t runs = section_offset(good, kRuns),
-                      runs_end = runs + 2 * kTinyBoneCount * POSEPACK_RUN_BYTES;
+// Also every bit of RUNS and SLOT, which lies behind it.
+int write_damaged_runs(const fs::path& folder, const std::string& name, const RunOptions& options) {
+    const Bytes good = make_run_container(options);
+    const std::size_t runs = section_offset(good, kRuns);
+    std::size_t runs_end = runs + 2 * kTinyBoneCount * POSEPACK_RUN_BYTES;
+    for (const RunClip& clip : options.clips)
+        if (!clip.slots.empty())
+            runs_end = section_offset(good, kSlot) + 2 * POSEPACK_SLOT_HEAD_BYTES +
+                       clip.slots.size() * POSEPACK_SLOT_BYTES;
     int written = 0;
     for (std::size_t bit = 8 * runs; bit < 8 * runs_end; ++bit) {
         Bytes bytes = good;
@@ -166,13 +183,16 @@ int main(int argument_count, char** arguments) {
         fs::remove_all(folder / kind);  // of another version of this program
         fs::create_directories(folder / kind);
     }
-    const int good =
-        write_good(folder / "good") + write_good_clips(folder / "good") + write_good_runs(folder / "good");
+    const int good = write_good(folder / "good") + write_good_clips(folder / "good") +
+                     write_good_runs(folder / "good") + write_good_slots(folder / "good");
     const int damaged =
         write_damaged_rows(folder / "damaged", POSEPACK_ENCODING_MAT4) +
         write_damaged_rows(folder / "damaged", POSEPACK_ENCODING_DUALQUAT) +
-        write_damaged_runs(folder / "damaged", POSEPACK_ENCODING_MAT4, POSEPACK_ENCODING_MAT4) +
-        write_damaged_runs(folder / "damaged", POSEPACK_ENCODING_AFFINE, POSEPACK_ENCODING_DUALQUAT);
+        write_damaged_runs(folder / "damaged", "runs_11",
+                           tiny_runs(POSEPACK_ENCODING_MAT4, POSEPACK_ENCODING_MAT4)) +
+        write_damaged_runs(folder / "damaged", "runs_23",
+                           tiny_runs(POSEPACK_ENCODING_AFFINE, POSEPACK_ENCODING_DUALQUAT)) +
+        write_damaged_runs(folder / "damaged", "slots", tiny_slots(POSEPACK_ENCODING_DUALQUAT));
     const int rules = write_run_cases(folder);
     std::printf("wrote %d good and %d damaged containers, and %d about rules of runs\n", good, damaged,
                 rules);

@@ -43,7 +43,7 @@ class Clips:
 
     def read_clip(self, r):
         h = self.header
-        require(r[10] == h["row_scheme"])  # C3
+        require(r[10] == h["row_scheme"] or (r[10], h["row_scheme"]) == (1, 2))  # C3
         require(r[8] in TEXELS and h["encoding"] in (r[8], 255) and r[9] == TEXELS[r[8]])  # C3
         require(r[11] <= 2 and r[12] <= 1 and r[14] <= 1 and r[15] <= 1)  # C4
         require(r[13] <= (r[10] == 0 and r[8] == 3 and r[11] == 0))  # C5: dual quaternions of a uniform loop

@@ -34,7 +34,7 @@ def error_text(error):
     return hex_list(error[0:4]) + " " + " ".join(index_text(index) for index in error[4:])
 
 
-def dump_clip(number, clip):
+def dump_clip(number, clip, slots):
     numbers = " ".join(f"{name} {clip[name]}" for name in (
         "encoding", "texels_per_bone", "row_scheme", "wrap", "seam", "closing_row", "interpolation", "measured",
         "first_row", "row_count", "first_texel", "cut_count"))
@@ -47,6 +47,7 @@ def dump_clip(number, clip):
     yield f"  error {error_text(clip['error'])}"
     yield f"  normal {error_text(clip['normal_error'])}"
     yield "  cuts" + "".join(f" {cut}" for cut in clip["cuts"])
+    yield "  slots" + "".join(" %d:%d/%d" % slot for slot in slots)
 
 
 @functools.lru_cache(maxsize=None)
@@ -109,7 +110,7 @@ def dump(container):
         yield (f"section {s.name()} flags {s.flags} offset {s.offset} stored {s.stored_bytes} raw {s.raw_bytes} "
                f"align_log2 {s.align_log2} crc {hex_bits(s.crc)} raw_crc {hex_bits(s.raw_crc)}")
     for number, clip in enumerate(container.clips):
-        yield from dump_clip(number, clip)
+        yield from dump_clip(number, clip, container.slots[number] if container.runs else [])
     yield f"states {len(container.states)} default {index_text(container.default_state)}"
     for number, (name, clip) in enumerate(container.states):
         yield f"state {number} {quoted(name)} clip {clip}"

@@ -4,7 +4,7 @@ from posepack_reader.values import crc32c, is_zero, require, u8, u16, u32, u64
 
 MAGIC = bytes([0x8B, 0x50, 0x50, 0x4B, 0x0D, 0x0A, 0x1A, 0x0A])
 REQUIRED = ("CLIP", "STAT", "BONE", "SPAC", "STRS", "PIXL")
-KNOWN = REQUIRED + ("RUNS",)
+KNOWN = REQUIRED + ("RUNS", "SLOT")
 
 HEADER_FIELDS = (  # name, offset, reader
     ("major", 8, u16), ("minor", 10, u16), ("file_bytes", 16, u64), ("section_count", 24, u32),
@@ -39,7 +39,7 @@ class Framing:
         data = self.data
         require(len(data) >= 128, "TOO_SMALL")  # F1
         require(data[0:8] == MAGIC, "MAGIC")  # F2
-        require((u16(data, 8), u16(data, 10), u32(data, 12)) == (1, 3, 128), "VERSION")  # F3
+        require((u16(data, 8), u16(data, 10), u32(data, 12)) == (1, 4, 128), "VERSION")  # F3
         require(u32(data, 124) == crc32c(data[0:124]), "HEADER_CRC")  # F4
         self.header = {name: read(data, offset) for name, offset, read in HEADER_FIELDS}
         h = self.header
@@ -74,7 +74,7 @@ class Framing:
             require(3 <= section.align_log2 <= 12, "SECTION")  # T8
             if known:
                 require(section.align_log2 == (12 if name == "PIXL" else 3), "SECTION")  # T8
-        needed = KNOWN if self.header["row_scheme"] == 2 else REQUIRED
+        needed = REQUIRED + (("RUNS",) if self.header["row_scheme"] == 2 else ())
         require(all(name in seen for name in needed), "SECTION_MISSING")  # T9
 
     def place_sections(self):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Runs, and the texture that they lie in (section 10; rules R, G and X)."""
+"""Runs, slots, and the texture that they lie in (section 10; rules R, L, G and X)."""
 import itertools
 import struct
 
@@ -31,6 +31,30 @@ class Runs:
             require(clip["first_texel"] == texel)  # R5
             texel += bone_rows * clip["texels_per_bone"]
         self.run_texels = texel
+        self.read_slots()
+
+    def read_slots(self):
+        """`self.slots[clip]` is a list of (row, offset, span), empty where the clip has none."""
+        self.slots = [[] for _ in self.clips]
+        require(("SLOT" in self.bytes_of) == any(clip["row_scheme"] == 1 for clip in self.clips))  # L1
+        if "SLOT" not in self.bytes_of:
+            return
+        data = self.bytes_of["SLOT"]
+        at = 8 * len(self.clips)
+        require(len(data) >= at)  # L2
+        words = u32s(data, 0, 2 * len(self.clips))
+        room = (len(data) - at) // 4
+        used = 0
+        for clip, runs, slots, first, count in zip(self.clips, self.runs, self.slots, words[0::2], words[1::2]):
+            require(first == used and count <= room - used)  # L3
+            require((count > 0) == (clip["row_scheme"] == 1))  # L3
+            used += count
+            for row, offset, span in struct.iter_unpack("<HBB", data[at + 4 * first:at + 4 * used]):
+                require(offset < span or span == 0)  # L4
+                require(row + (offset if span == 0 else 1) < clip["row_count"])  # L4
+                slots.append((row, offset, span))
+            require(not slots or {n for _, n in runs} <= {0, clip["row_count"] - 1})  # L5
+        require(len(data) == at + 4 * used)  # L6
 
     def check_run_texels(self):
         h = self.header

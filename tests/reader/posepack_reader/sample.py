@@ -15,6 +15,7 @@ class Sampler:
         self.container = container
         self.clip = container.clips[number]
         self.runs = container.runs[number] if container.runs else None
+        self.slots = container.slots[number] if container.runs else []
         self.length = value(container.header["dualquat_length"])
         self.bones = range(container.header["bone_count"])
         self.letter = "e" if container.texel_bytes == 8 else "f"
@@ -52,12 +53,26 @@ class Sampler:
             self.rows[row] = struct.unpack(f"<{4 * len(block) // self.container.texel_bytes}{self.letter}", block)
         return [self.rows[row][4 * place + c] for place in self.container.places(bone) for c in range(4)]
 
+    @staticmethod
+    def part(share, count):
+        """The whole part of `share` x `count`, below `count`, and the rest."""
+        position = rounded([share * count])[0]
+        whole = max(0, min(int(position), count - 1))
+        return whole, rounded([position - whole])[0]
+
+    def in_slots(self, phase):
+        """A row, and how far the clip is on its way to the next."""
+        slot, along = self.part(phase, len(self.slots))
+        row, offset, span = self.slots[slot]
+        if span:
+            return row, rounded([rounded([offset + along])[0] / span])[0]
+        rows, factor = self.part(along, offset)
+        return row + rows, factor
+
     def place(self, bone, phase):
         """Two rows of the bone's run and the factor of the second."""
         count = self.intervals(bone)
-        position = rounded([phase * count])[0]
-        row = max(0, min(int(position), count - 1))
-        factor = rounded([position - row])[0]
+        row, factor = self.in_slots(phase) if self.slots and count > 0 else self.part(phase, count)
         following = 0 if self.wraps() and row + 1 == count else row + 1
         if self.clip["interpolation"] == 1 or row in self.clip["cuts"]:
             return following if factor == 1.0 else row, following, 0.0

@@ -21,6 +21,7 @@ class Tables:
         require(all(number in now for number, now, later in known), "UNSUPPORTED")
         require(h["texels_per_bone"] == (TEXELS | {255: 255})[h["encoding"]])  # H5
         require(("RUNS" in self.bytes_of) == (h["row_scheme"] == 2))  # H10
+        require("RUNS" in self.bytes_of or "SLOT" not in self.bytes_of)  # H10
         length = h["dualquat_length"]
         require(is_positive(length) if h["encoding"] in (3, 255) else length == 0)  # H9
 

@@ -15,6 +15,7 @@ inline constexpr std::uint32_t kSpac = POSEPACK_SECTION_SPAC;
 inline constexpr std::uint32_t kStrs = POSEPACK_SECTION_STRS;
 inline constexpr std::uint32_t kPixl = POSEPACK_SECTION_PIXL;
 inline constexpr std::uint32_t kRuns = POSEPACK_SECTION_RUNS;
+inline constexpr std::uint32_t kSlot = POSEPACK_SECTION_SLOT;
 inline constexpr std::size_t kIdle = POSEPACK_CLIP_HEAD_BYTES;
 inline constexpr std::size_t kWalk = kIdle + POSEPACK_CLIP_RECORD_BYTES;
 inline constexpr std::size_t kCuts = kWalk + POSEPACK_CLIP_RECORD_BYTES;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "changes.hpp"
 
@@ -80,7 +81,7 @@ std::vector<RunCase> header_values() {
         {"H1", "local", header_u8(POSEPACK_HDR_ENCODING, 4), POSEPACK_ERROR_UNSUPPORTED},
         {"H1", "packed", header_u8(POSEPACK_HDR_ENCODING, 5), POSEPACK_ERROR_UNSUPPORTED},
         {"H3", "transposed", header_u8(POSEPACK_HDR_TEXEL_ORDER, 2), POSEPACK_ERROR_UNSUPPORTED},
-        {"H4", "slots", header_u8(POSEPACK_HDR_ROW_SCHEME, 1), POSEPACK_ERROR_UNSUPPORTED},
+        {"H4", "slots in every clip", header_u8(POSEPACK_HDR_ROW_SCHEME, 1), POSEPACK_ERROR_UNSUPPORTED},
         {"H4", "row schemes that differ", header_u8(POSEPACK_HDR_ROW_SCHEME, 255),
          POSEPACK_ERROR_UNSUPPORTED},
         {"H5", "one encoding, texels that differ", header_u8(POSEPACK_HDR_TEXELS_PER_BONE, 255)},
@@ -199,6 +200,65 @@ std::vector<RunCase> runs() {
         {"R5", "a clip begins where its rows would be uniform",
          u32(kClip, kWalk + POSEPACK_CLIP_FIRST_TEXEL, 3 * 3 * 3)},
     };
+}
+
+std::vector<RunCase> slots() {
+    // SLOT of tiny_slots: idle's words at 0, walk's at 8, its five slots from 16 on.
+    const auto with_slots = [](std::vector<std::uint32_t> words) {
+        RunOptions options = tiny_slots();
+        options.clips[1].slots = std::move(words);
+        return options;
+    };
+    const RunOptions good = tiny_slots();
+    std::vector<RunCase> cases = {
+        {"H10", "SLOT beside uniform rows",
+         [](Parts& p) {
+             Section slots = section_of(p, kSlot);
+             p = make_parts();
+             p.sections.push_back(slots);
+         }},
+        {"C3", "a clip of slots among uniform rows",
+         [](Parts& p) {
+             p = make_parts();
+             p[kClip][kWalk + POSEPACK_CLIP_ROW_SCHEME] = POSEPACK_ROWS_SLOTS;
+         }},
+        {"C7", "a cut in a clip with slots",
+         [](Parts& p) {
+             p[kClip].resize(p[kClip].size() + 4);
+             put_u32(p[kClip], POSEPACK_CLIP_HEAD_CUT_COUNT, 1);
+             put_u32(p[kClip], kWalk + POSEPACK_CLIP_CUT_COUNT, 1);
+         }},
+        {"L1", "slots without SLOT",
+         [](Parts& p) {
+             std::erase_if(p.sections, [](const Section& section) { return section.type == kSlot; });
+         }},
+        {"L1", "SLOT without slots", u8(kClip, kWalk + POSEPACK_CLIP_ROW_SCHEME, POSEPACK_ROWS_RUNS)},
+        {"L2", "no room for a clip", resize(kSlot, -24)},
+        {"L3", "the first clip begins at slot 1", u32(kSlot, 0, 1)},
+        {"L3", "the second clip begins at slot 1", u32(kSlot, 8, 1)},
+        {"L3", "a slot of a clip without", u32(kSlot, 4, 1)},
+        {"L3", "a clip of slots that has none", u32(kSlot, 12, 0)},
+        {"L3", "more slots than there are", u32(kSlot, 12, 6)},
+        {"L3", "slots without end", u32(kSlot, 12, 0xFFFFFFFF)},
+        {"L4", "the offset is the span", u32(kSlot, 16, slot_word(0, 2, 2))},
+        {"L4", "from the last row on", u32(kSlot, 32, slot_word(6, 0, 1))},
+        {"L4", "far behind the last row", u32(kSlot, 32, slot_word(0xFFFF, 0, 255))},
+        {"L4", "intervals behind the last row", u32(kSlot, 32, slot_word(5, 2, 0))},
+        {"L4", "the last row held", u32(kSlot, 32, slot_word(6, 0, 0)), POSEPACK_OK},
+        {"L4", "all intervals in one slot", u32(kSlot, 32, slot_word(0, 6, 0)), POSEPACK_OK},
+        {"L4", "one of 255 slots", u32(kSlot, 32, slot_word(5, 254, 255)), POSEPACK_OK},
+        {"L4", "a held row behind the last", u32(kSlot, 32, slot_word(7, 0, 0))},
+        {"L5", "a run of fewer intervals", u32(kRuns, 16, run_word(7, 5))},
+        {"L5", "one held row", kAsItIs, POSEPACK_OK, with_slots({slot_word(0, 0, 0)})},
+        {"L6", "a slot too many", resize(kSlot, 4)},
+        {"L6", "a byte too many", resize(kSlot, 1)},
+        {"T6", "compressed SLOT", [](Parts& p) { section_of(p, kSlot).flags = POSEPACK_CODEC_ZSTD; },
+         POSEPACK_ERROR_SECTION},
+        {"T10", "SLOT behind PIXL", [](Parts& p) { p.move_to_end(kSlot); }, POSEPACK_OK},
+    };
+    for (RunCase& test : cases)
+        if (test.options.clips[1].slots.empty()) test.options = good;
+    return cases;
 }
 
 // Makes the pixels of affine halves so long: longer by what is behind the last bone-row anyway.
@@ -375,7 +435,7 @@ std::vector<RunCase> texels_of_dualquat() {
 std::vector<RunCase> run_cases() {
     std::vector<RunCase> cases;
     for (const auto& family :
-         {framing, header_values, clips, runs, geometry, texels, texels_of_mat4, texels_of_dualquat})
+         {framing, header_values, clips, runs, slots, geometry, texels, texels_of_mat4, texels_of_dualquat})
         append(cases, family());
     return cases;
 }

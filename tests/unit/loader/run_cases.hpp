@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Every rule about runs, broken once and kept once at its edge: one list for the C loader and for the reader
-// written from the specification. Checksums are right, and no other rule is broken but where it cannot be
-// helped. Rule numbers are those of docs/format/posepack-1.md.
+// Every rule about runs and slots, broken once and kept once at its edge: one list for the C loader and for
+// the reader written from the specification. Checksums are right, and no other rule is broken but where it
+// cannot be helped. Rule numbers are those of docs/format/posepack-1.md.
 #pragma once
 
 #include <functional>

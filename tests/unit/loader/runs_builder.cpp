@@ -104,7 +104,7 @@ Bytes clip_section(const Bytes& tiny, const RunOptions& options) {
         const bool moves = row_count(clip) > 1;
         record[POSEPACK_CLIP_ENCODING] = clip.encoding;
         record[POSEPACK_CLIP_TEXELS_PER_BONE] = static_cast<std::uint8_t>(texels_of(clip.encoding));
-        record[POSEPACK_CLIP_ROW_SCHEME] = POSEPACK_ROWS_RUNS;
+        record[POSEPACK_CLIP_ROW_SCHEME] = clip.slots.empty() ? POSEPACK_ROWS_RUNS : POSEPACK_ROWS_SLOTS;
         record[POSEPACK_CLIP_WRAP] = clip.wrap;
         record[POSEPACK_CLIP_INTERPOLATION] = clip.interpolation;
         put_u32(record, POSEPACK_CLIP_FIRST_ROW, next_row);
@@ -128,6 +128,20 @@ Bytes runs_section(const RunOptions& options) {
             put_u32(section, section.size() - POSEPACK_RUN_BYTES, run);
         }
     }
+    return section;
+}
+
+Bytes slot_section(const RunOptions& options) {
+    std::vector<std::uint32_t> words;
+    std::uint32_t first = 0;
+    for (const RunClip& clip : options.clips) {
+        words.push_back(first);
+        words.push_back(static_cast<std::uint32_t>(clip.slots.size()));
+        first += static_cast<std::uint32_t>(clip.slots.size());
+    }
+    for (const RunClip& clip : options.clips) words.insert(words.end(), clip.slots.begin(), clip.slots.end());
+    Bytes section(4 * words.size());
+    for (std::size_t i = 0; i < words.size(); ++i) put_u32(section, 4 * i, words[i]);
     return section;
 }
 
@@ -156,6 +170,15 @@ RunOptions tiny_runs(std::uint8_t idle_encoding, std::uint8_t walk_encoding) {
     walk.runs = {run_word(0, 4), run_word(5, 13), run_word(2, 0)};
     RunOptions options;
     options.clips = {idle, walk};
+    return options;
+}
+
+RunOptions tiny_slots(std::uint8_t walk_encoding) {
+    RunOptions options = tiny_runs(POSEPACK_ENCODING_AFFINE, walk_encoding);
+    RunClip& walk = options.clips[1];
+    walk.runs = {run_word(0, 6), run_word(7, 6), run_word(3, 0)};
+    walk.slots = {slot_word(0, 0, 2), slot_word(0, 1, 2), slot_word(1, 3, 0), slot_word(4, 0, 0),
+                  slot_word(5, 0, 1)};
     return options;
 }
 
@@ -198,6 +221,9 @@ Parts make_run_parts(const RunOptions& options) {
     parts[POSEPACK_SECTION_CLIP] = clip_section(parts[POSEPACK_SECTION_CLIP], options);
     parts[POSEPACK_SECTION_PIXL] = pixels;
     parts.sections.insert(parts.sections.end() - 1, {POSEPACK_SECTION_RUNS, runs_section(options)});
+    if (std::any_of(options.clips.begin(), options.clips.end(),
+                    [](const RunClip& clip) { return !clip.slots.empty(); }))
+        parts.sections.insert(parts.sections.end() - 1, {POSEPACK_SECTION_SLOT, slot_section(options)});
     return parts;
 }
 

@@ -14,6 +14,11 @@ constexpr std::uint32_t run_word(std::uint32_t offset, std::uint32_t interval_co
     return offset | interval_count << POSEPACK_RUN_OFFSET_BITS;
 }
 
+/// A slot, as SLOT has it.
+constexpr std::uint32_t slot_word(std::uint32_t row, std::uint32_t offset, std::uint32_t span) {
+    return row | offset << 16 | span << 24;
+}
+
 /// One clip; the first of a container is called "idle", all others "walk".
 struct RunClip {
     std::uint8_t encoding = POSEPACK_ENCODING_AFFINE;
@@ -22,6 +27,7 @@ struct RunClip {
     std::array<std::uint32_t, kTinyBoneCount> runs{};  // words of RUNS
     std::uint32_t turned =
         0;  // bit b: of a loop of dualquat, the last bone-row of bone b is its first turned
+    std::vector<std::uint32_t> slots;  // words of SLOT; none: a clip of plain runs
 };
 
 /// What make_run_parts builds. Every combination is valid where the runs are.
@@ -36,11 +42,16 @@ struct RunOptions {
 RunOptions tiny_runs(std::uint8_t idle_encoding = POSEPACK_ENCODING_AFFINE,
                      std::uint8_t walk_encoding = POSEPACK_ENCODING_AFFINE);
 
+/// The same, but that walk has five slots: root and tail have 6 intervals each, leg keeps still. The first
+/// two slots share row 0's interval, the third holds three, in the fourth row 4 is held, the last begins at
+/// row 5.
+RunOptions tiny_slots(std::uint8_t walk_encoding = POSEPACK_ENCODING_AFFINE);
+
 /// So many clips that do not loop, in which each bone has a run of its own of so many intervals: with affine
 /// 9 texels a row.
 RunOptions many_runs(std::size_t clip_count, std::uint32_t interval_count);
 
-/// As make_parts; RUNS lies in front of PIXL.
+/// As make_parts; RUNS, and SLOT where a clip has slots, lie in front of PIXL.
 Parts make_run_parts(const RunOptions& options = tiny_runs());
 
 /// assemble(make_run_parts(options)).

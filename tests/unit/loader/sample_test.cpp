@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 #include "changes.hpp"
 #include "format/dualquat.h"
@@ -299,6 +300,97 @@ TEST(Sample, PhasesOutOfRangeAreTheNearestOnes) {
     }
 }
 
+TEST(SampleSlots, SayWhichRowsATimeLiesBetween) {
+    // Five slots of 0.2: halves of the first interval, intervals 1 to 3, row 4 held, the interval from row 5.
+    const Opened palette(make_run_parts(tiny_slots()));
+    struct Expected {
+        float phase;
+        std::uint32_t row0;
+        float factor;
+    };
+    for (const Expected& expected :
+         {Expected{0.f, 0, 0.f}, Expected{0.1f, 0, 0.25f}, Expected{0.3f, 0, 0.75f}, Expected{0.4f, 1, 0.f},
+          Expected{0.45f, 1, 0.75f}, Expected{0.5f, 2, 0.5f}, Expected{0.55f, 3, 0.25f},
+          Expected{0.6001f, 4, 0.f}, Expected{0.7f, 4, 0.f}, Expected{0.7999f, 4, 0.f},
+          Expected{0.9f, 5, 0.5f}, Expected{1.f, 5, 1.f}, Expected{7.f, 5, 1.f}, Expected{NAN, 0, 0.f}}) {
+        posepack_place place;
+        for (const std::uint32_t bone : {0u, 1u}) {
+            ASSERT_EQ(posepack_find_place(&palette.view, kWalkClip, expected.phase, bone, &place),
+                      POSEPACK_OK);
+            EXPECT_EQ(place.row0, expected.row0) << expected.phase;
+            EXPECT_EQ(place.row1, expected.row0 + 1) << expected.phase;
+            EXPECT_NEAR(place.factor, expected.factor, 1e-5f) << expected.phase;
+        }
+        ASSERT_EQ(posepack_find_place(&palette.view, kWalkClip, expected.phase, 2, &place), POSEPACK_OK);
+        EXPECT_EQ(place.row0, 0u);  // leg keeps still
+        EXPECT_EQ(place.factor, 0.f);
+    }
+}
+
+TEST(SampleSlots, PosesAreThoseOfTheirRows) {
+    // The same runs at even times: rows of the two are the same.
+    RunOptions even = tiny_slots();
+    even.clips[1].slots.clear();
+    const Opened plain(make_run_parts(even));
+    const Opened slots(make_run_parts(tiny_slots()));
+    // Row 1 and a half of row 2, row 4, the middle between rows 5 and 6.
+    for (const auto& [bent, straight] : {std::pair{0.5f, 2.5f / 6.f}, std::pair{0.7f, 4.f / 6.f},
+                                         std::pair{0.9f, 5.5f / 6.f}, std::pair{1.f, 1.f}}) {
+        const Pose a = slots.sample(kWalkClip, bent);
+        const Pose b = plain.sample(kWalkClip, straight);
+        for (std::uint32_t bone = 0; bone < kTinyBoneCount; ++bone)
+            for (std::size_t i = 0; i < 12; ++i)
+                EXPECT_NEAR(a.at(bone).at(i), b.at(bone).at(i), 2e-5f) << bent << " " << bone;
+    }
+    EXPECT_TRUE(same_bits(slots.sample(kIdleClip, 0.3f), plain.sample(kIdleClip, 0.3f)));
+}
+
+TEST(SampleSlots, HeldRowsStayHeld) {
+    RunOptions options = tiny_slots();
+    options.clips[1].interpolation = POSEPACK_INTERPOLATION_STEP;
+    const Opened palette(make_run_parts(options));
+    posepack_place place;
+    for (const auto& [phase, row] : {std::pair{0.39f, 0u}, std::pair{0.41f, 1u}, std::pair{0.47f, 2u},
+                                     std::pair{0.9f, 5u}, std::pair{1.f, 6u}}) {
+        ASSERT_EQ(posepack_find_place(&palette.view, kWalkClip, phase, 1, &place), POSEPACK_OK);
+        EXPECT_EQ(place.row0, row) << phase;
+        EXPECT_EQ(place.factor, 0.f) << phase;
+    }
+}
+
+TEST(SampleSlots, AreHandedOut) {
+    const Opened palette(make_run_parts(tiny_slots()));
+    posepack_clip clip;
+    posepack_slot slot;
+    ASSERT_EQ(posepack_get_clip(&palette.view, kWalkClip, &clip), POSEPACK_OK);
+    EXPECT_EQ(clip.row_scheme, POSEPACK_ROWS_SLOTS);
+    EXPECT_EQ(clip.slot_count, 5u);
+    ASSERT_EQ(posepack_get_slot(&palette.view, kWalkClip, 2, &slot), POSEPACK_OK);
+    EXPECT_EQ(slot.row, 1u);
+    EXPECT_EQ(slot.offset, 3u);
+    EXPECT_EQ(slot.span, 0u);
+    ASSERT_EQ(posepack_get_clip(&palette.view, kIdleClip, &clip), POSEPACK_OK);
+    EXPECT_EQ(clip.slot_count, 0u);
+    EXPECT_EQ(posepack_get_slot(&palette.view, kIdleClip, 0, &slot), POSEPACK_ERROR_INDEX);
+    EXPECT_EQ(posepack_get_slot(&palette.view, kWalkClip, 5, &slot), POSEPACK_ERROR_INDEX);
+    EXPECT_EQ(posepack_get_slot(&palette.view, 2, 0, &slot), POSEPACK_ERROR_INDEX);
+    EXPECT_EQ(posepack_get_slot(&palette.view, kWalkClip, 0, nullptr), POSEPACK_ERROR_ARG);
+    EXPECT_EQ(posepack_get_slot(nullptr, kWalkClip, 0, &slot), POSEPACK_ERROR_ARG);
+}
+
+TEST(SampleSlots, AreNotTrustedOnceTheBytesHaveChanged) {
+    Opened palette(make_run_parts(tiny_slots()));
+    const std::size_t slots = section_offset(palette.bytes, kSlot);
+    for (const std::uint32_t hostile : {0xFFFFFFFFu, 0x00FFFFFFu, 0x01000000u, 0xFF00FFFFu}) {
+        for (std::size_t at = slots; at < slots + 16 + 20; at += 4) {
+            const Bytes before = palette.bytes;
+            put_u32(palette.bytes, at, hostile);
+            for (const float phase : {0.f, 0.3f, 0.5f, 1.f}) palette.sample(kWalkClip, phase);
+            std::copy(before.begin(), before.end(), palette.bytes.begin());
+        }
+    }
+}
+
 TEST(Sample, RunsSayWhereRowsAre) {
     posepack_run run;
     const Opened uniform_rows(make_parts());
@@ -336,8 +428,9 @@ TEST(Sample, RunsSayWhereRowsAre) {
 TEST(Sample, RefusesWhatIsNotThere) {
     const posepack_view empty{};
     posepack_run run;
+    posepack_place place;
     Pose pose{};
-    for (const Parts& parts : {make_parts(), make_run_parts()}) {
+    for (const Parts& parts : {make_parts(), make_run_parts(), make_run_parts(tiny_slots())}) {
         const Opened palette(parts);
         const posepack_view* view = &palette.view;
         EXPECT_EQ(posepack_get_run(nullptr, 0, 0, &run), POSEPACK_ERROR_ARG);
@@ -346,6 +439,10 @@ TEST(Sample, RefusesWhatIsNotThere) {
         EXPECT_EQ(posepack_get_run(view, 2, 0, &run), POSEPACK_ERROR_INDEX);
         EXPECT_EQ(posepack_get_run(view, POSEPACK_NONE, 0, &run), POSEPACK_ERROR_INDEX);
         EXPECT_EQ(posepack_get_run(view, 0, kTinyBoneCount, &run), POSEPACK_ERROR_INDEX);
+        EXPECT_EQ(posepack_find_place(nullptr, 0, 0.f, 0, &place), POSEPACK_ERROR_ARG);
+        EXPECT_EQ(posepack_find_place(view, 0, 0.f, 0, nullptr), POSEPACK_ERROR_ARG);
+        EXPECT_EQ(posepack_find_place(view, 2, 0.f, 0, &place), POSEPACK_ERROR_INDEX);
+        EXPECT_EQ(posepack_find_place(view, 0, 0.f, kTinyBoneCount, &place), POSEPACK_ERROR_INDEX);
         EXPECT_EQ(posepack_sample_bone(nullptr, 0, 0.f, 0, floats(pose)), POSEPACK_ERROR_ARG);
         EXPECT_EQ(posepack_sample_bone(&empty, 0, 0.f, 0, floats(pose)), POSEPACK_ERROR_ARG);
         EXPECT_EQ(posepack_sample_bone(view, 0, 0.f, 0, nullptr), POSEPACK_ERROR_ARG);
