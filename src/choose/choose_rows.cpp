@@ -234,6 +234,18 @@ class RowChooser::Contest {
         }
         if (share <= 1.0 && bytes < best_bytes()) best = std::move(rows);
     }
+    // The share that the same rows took before.
+    std::optional<double> known_share(const std::vector<BoneRows>& rows, const fit::SlotPlan& plan) const {
+        for (const Known& known : known_)
+            if (known.rows == rows && known.slots == plan.slots) return known.share;
+        return std::nullopt;
+    }
+    void remember(std::vector<BoneRows> rows, const fit::SlotPlan& plan) {
+        known_.push_back({std::move(rows), plan.slots, share});
+    }
+    // Rows of other samples are others.
+    void forget() { known_.clear(); }
+
     bool has_best() const { return !best.runs.is_empty(); }
     std::uint64_t best_bytes() const { return has_best() ? bytes_of(best.runs) : UINT64_MAX; }
 
@@ -246,10 +258,22 @@ class RowChooser::Contest {
     std::vector<Attempt> attempts;
     ClipError nearest;
     double nearest_share = HUGE_VAL;
+
+ private:
+    struct Known {
+        std::vector<BoneRows> rows;
+        std::vector<fit::Slot> slots;
+        double share;
+    };
+    std::vector<Known> known_;
 };
 
 base::Result<bool> RowChooser::enter(const fit::Tracks& tracks, fit::RowSelector& selector,
                                      const fit::Selection& selection, Contest& contest) const {
+    if (const auto known = contest.known_share(selection.rows, tracks.slots)) {
+        contest.share = *known;
+        return true;
+    }
     auto encoded = encode(tracks, selector, selection.rows, contest.bound);
     if (!encoded) return false;
     PaletteClip trial = contest.clip;
@@ -258,6 +282,7 @@ base::Result<bool> RowChooser::enter(const fit::Tracks& tracks, fit::RowSelector
     const auto error = measure(std::move(trial));
     if (!error) return error.issue();
     contest.enter(std::move(*encoded), selection.expected, error.value());
+    contest.remember(selection.rows, tracks.slots);
     return true;
 }
 
@@ -284,8 +309,9 @@ base::Status RowChooser::try_runs(const fit::Tracks& tracks, fit::RowSelector& s
 }
 
 // Rows at uneven times, where they take clearly fewer bytes than runs, or keep the bound where no runs do.
-base::Status RowChooser::try_slots(fit::Tracks& tracks, Contest& contest) const {
-    if (tracks.interval_count == 0 || tracks.step) return {};
+base::Result<bool> RowChooser::try_slots(fit::Tracks& tracks, Contest& contest) const {
+    if (tracks.interval_count == 0 || tracks.step) return false;
+    bool is_rough = false;
     const animal::Clip& source = animal_.clips[contest.clip.source];
     motion::ClipSampler sampler(animal_, source);
     const std::vector<double> jumps_s = sampler.jump_times_s();
@@ -297,13 +323,14 @@ base::Status RowChooser::try_slots(fit::Tracks& tracks, Contest& contest) const 
         fit::SlotPlan plan = fit::plan_slots(tracks, bone_points_, first * search.scale(), palette_.reach(),
                                              contest.clip.plan.period_s, jumps_s);
         if (plan.slots.empty()) break;
+        is_rough = plan.is_rough;
         fit::bend(tracks, std::move(plan));
         fit::RowSelector selector(tracks, bone_points_, points_.size(), row_bytes(tracks.form),
                                   palette_.reach(), floor_of(contest.bound), 1);
         const auto selection = selector.select(contest.wanted);
         double share = kFarOff;
         if (selection) {
-            if (bytes_of(*selection, tracks) >= enough) break;
+            if (expected_bytes(*selection, tracks) >= enough) return false;
             const auto entered = enter(tracks, selector, *selection, contest);
             if (!entered) return entered.issue();
             if (!entered.value()) break;
@@ -311,7 +338,7 @@ base::Status RowChooser::try_slots(fit::Tracks& tracks, Contest& contest) const 
         }
         if (!search.step(share)) break;
     }
-    return {};
+    return is_rough;
 }
 
 std::uint32_t RowChooser::row_bytes(fit::Form form) const {
@@ -319,7 +346,7 @@ std::uint32_t RowChooser::row_bytes(fit::Form form) const {
 }
 
 // Of the runs and slots that a selection makes.
-double RowChooser::bytes_of(const fit::Selection& selection, const fit::Tracks& tracks) const {
+double RowChooser::expected_bytes(const fit::Selection& selection, const fit::Tracks& tracks) const {
     double rows = 0.0;
     for (const BoneRows& bone : selection.rows)
         if (bone.like == animal::kNone) rows += bone.interval_count + 1.0;
@@ -332,15 +359,20 @@ base::Result<ChosenRows> RowChooser::choose(std::uint32_t index, fit::Form form,
     const animal::Clip& source = animal_.clips[clip.source];
     Contest contest(clip, bound);
     const palette::Hemispheres before = hemispheres_;
+    bool is_rough = false;
     for (const Fineness& fineness : kFineness) {
+        if (contest.has_best() && !is_rough) break;
+        contest.forget();
         hemispheres_ = before;
         fit::Tracks tracks = fit::sample_tracks(animal_, source, clip.plan, palette_.spaces, form,
                                                 fineness.samples_per_key, hemispheres_);
         fit::RowSelector selector(tracks, bone_points_, points_.size(), row_bytes(form), palette_.reach(),
                                   floor_of(bound), fineness.rows_per_key);
-        if (auto status = try_runs(tracks, selector, contest); !status) return status.issue();
-        if (auto status = try_slots(tracks, contest); !status) return status.issue();
-        if (contest.has_best()) break;
+        if (!contest.has_best())
+            if (auto status = try_runs(tracks, selector, contest); !status) return status.issue();
+        const auto rough = try_slots(tracks, contest);
+        if (!rough) return rough.issue();
+        is_rough = rough.value();
     }
     if (!contest.has_best())
         return base::Issue{

@@ -51,14 +51,15 @@ class RowChooser {
     class Contest;
     base::Result<palette::ClipError> measure(palette::PaletteClip clip) const;
     base::Status try_runs(const fit::Tracks& tracks, fit::RowSelector& selector, Contest& contest) const;
-    base::Status try_slots(fit::Tracks& tracks, Contest& contest) const;
+    // Whether more samples would lead further.
+    base::Result<bool> try_slots(fit::Tracks& tracks, Contest& contest) const;
     // Encodes, measures and enters one selection; whether it could be encoded.
     base::Result<bool> enter(const fit::Tracks& tracks, fit::RowSelector& selector,
                              const fit::Selection& selection, Contest& contest) const;
     std::optional<ChosenRows> encode(const fit::Tracks& tracks, fit::RowSelector& selector,
                                      std::vector<fit::BoneRows> rows, const fit::Limits& bound) const;
     std::uint32_t row_bytes(fit::Form form) const;
-    double bytes_of(const fit::Selection& selection, const fit::Tracks& tracks) const;
+    double expected_bytes(const fit::Selection& selection, const fit::Tracks& tracks) const;
     void give_weightless_rows(std::vector<fit::BoneRows>& rows) const;
 
     const animal::Animal& animal_;

@@ -168,8 +168,45 @@ Limits RowSelector::expected(const std::vector<Pick>& picks) const {
     return out;
 }
 
-// A bone that moves like another shares its rows where that is cheaper, errors counted.
-void RowSelector::join_alike(const Limits& limits, const Prices& prices, std::vector<Pick>& picks) const {
+// How much of the limits on places and on the mean square is taken.
+class RowSelector::Room {
+ public:
+    Room(const Limits& limits, double places)
+        : p999_(limits.p999),
+          count_limit_(std::isfinite(limits.p999) ? kShareAbove * places : HUGE_VAL),
+          square_limit_(std::isfinite(limits.rms) ? limits.rms * limits.rms * places : HUGE_VAL) {}
+
+    void add(const Profile& profile) {
+        count_ += count_of(profile);
+        square_ += profile.square_sum;
+    }
+    void exchange(const Profile& before, const Profile& after) {
+        count_ += count_of(after) - count_of(before);
+        square_ += after.square_sum - before.square_sum;
+    }
+    bool allows(const Profile& before, const Profile& after) const {
+        const double more = count_of(after) - count_of(before);
+        const double wider = after.square_sum - before.square_sum;
+        return (more <= 0.0 || count_ + more <= count_limit_) &&
+               (wider <= 0.0 || square_ + wider <= square_limit_);
+    }
+    // The larger share of a limit that the change takes.
+    double taken(const Profile& before, const Profile& after) const {
+        return std::max((count_of(after) - count_of(before)) / count_limit_,
+                        (after.square_sum - before.square_sum) / square_limit_);
+    }
+
+ private:
+    double count_of(const Profile& profile) const {
+        return std::isfinite(p999_) ? profile.count_above(p999_) : 0.0;
+    }
+    double p999_, count_limit_, square_limit_;
+    double count_ = 0.0, square_ = 0.0;
+};
+
+// A bone that moves like another shares its rows where that is cheaper, errors counted, and there is room.
+void RowSelector::join_alike(const Limits& limits, const Prices& prices, Room& room,
+                             std::vector<Pick>& picks) const {
     std::vector<std::uint32_t> order(picks.size());
     for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
     std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -182,7 +219,8 @@ void RowSelector::join_alike(const Limits& limits, const Prices& prices, std::ve
     };
     for (const std::uint32_t bone : order) {
         if (picks[bone].is_shared || points_[bone].is_empty()) continue;
-        double least = cost(candidates_[bone][picks[bone].candidate], limits, prices);
+        const Candidate& own = candidates_[bone][picks[bone].candidate];
+        double least = cost(own, limits, prices);
         for (const std::uint32_t other : order) {
             if (other == bone || picks[other].like != animal::kNone || points_[other].is_empty()) continue;
             const double far = 2.0 * limits.max;
@@ -190,27 +228,19 @@ void RowSelector::join_alike(const Limits& limits, const Prices& prices, std::ve
             const Polyline& line = candidates_[other][picks[other].candidate].line;
             const Profile shared = profile_of(tracks_, line, bone, points_[bone], reach_, floor_);
             const double value = value_of(shared);
-            if (value >= least) continue;
+            if (value >= least || !room.allows(own.profile, shared)) continue;
             least = value;
             picks[bone].like = other;
             picks[bone].shared = shared;
         }
-        if (picks[bone].like != animal::kNone) picks[picks[bone].like].is_shared = true;
+        if (picks[bone].like == animal::kNone) continue;
+        picks[picks[bone].like].is_shared = true;
+        room.exchange(own.profile, *picks[bone].shared);
     }
 }
 
 // Prices leave some room below the limits: it is given to the bones that save most for what they take of it.
-void RowSelector::spend_slack(const Limits& limits, std::vector<Pick>& picks) const {
-    const double count_limit = std::isfinite(limits.p999) ? kShareAbove * places_ : HUGE_VAL;
-    const double square_limit = std::isfinite(limits.rms) ? limits.rms * limits.rms * places_ : HUGE_VAL;
-    const auto count_of = [&](const Profile& p) {
-        return std::isfinite(limits.p999) ? p.count_above(limits.p999) : 0.0;
-    };
-    double count = 0.0, square = 0.0;
-    for (std::size_t bone = 0; bone < picks.size(); ++bone) {
-        count += count_of(profile(bone, picks[bone]));
-        square += profile(bone, picks[bone]).square_sum;
-    }
+void RowSelector::spend_slack(const Limits& limits, Room& room, std::vector<Pick>& picks) const {
     for (;;) {
         double best = 0.0;
         std::size_t best_bone = 0, best_candidate = 0;
@@ -220,12 +250,8 @@ void RowSelector::spend_slack(const Limits& limits, std::vector<Pick>& picks) co
             const Candidate& now = candidates_[bone][pick.candidate];
             for (std::size_t i = 0; i < pick.candidate; ++i) {
                 const Candidate& next = candidates_[bone][i];
-                const double more = count_of(next.profile) - count_of(now.profile);
-                const double wider = next.profile.square_sum - now.profile.square_sum;
-                if (next.profile.max > limits.max || count + more > count_limit ||
-                    square + wider > square_limit)
-                    continue;
-                const double taken = std::max({more / count_limit, wider / square_limit, 1e-9});
+                if (next.profile.max > limits.max || !room.allows(now.profile, next.profile)) continue;
+                const double taken = std::max(room.taken(now.profile, next.profile), 1e-9);
                 const double worth = (now.interval_count - next.interval_count) / taken;
                 if (worth <= best) continue;
                 best = worth;
@@ -234,10 +260,7 @@ void RowSelector::spend_slack(const Limits& limits, std::vector<Pick>& picks) co
             }
         }
         if (best <= 0.0) return;
-        const Profile& before = profile(best_bone, picks[best_bone]);
-        const Profile& after = candidates_[best_bone][best_candidate].profile;
-        count += count_of(after) - count_of(before);
-        square += after.square_sum - before.square_sum;
+        room.exchange(profile(best_bone, picks[best_bone]), candidates_[best_bone][best_candidate].profile);
         picks[best_bone].candidate = best_candidate;
     }
 }
@@ -250,8 +273,10 @@ std::optional<Selection> RowSelector::select(const Limits& limits) {
     std::vector<Pick> picks(candidates_.size());
     for (std::size_t bone = 0; bone < picks.size(); ++bone)
         picks[bone].candidate = cheapest(bone, limits, *prices);
-    join_alike(limits, *prices, picks);
-    spend_slack(limits, picks);
+    Room room(limits, places_);
+    for (std::size_t bone = 0; bone < picks.size(); ++bone) room.add(profile(bone, picks[bone]));
+    join_alike(limits, *prices, room, picks);
+    spend_slack(limits, room, picks);
     Selection out;
     out.expected = expected(picks);
     for (std::size_t bone = 0; bone < picks.size(); ++bone)

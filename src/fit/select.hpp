@@ -19,6 +19,7 @@ struct Limits {
 struct BoneRows {
     std::uint32_t interval_count = 0;
     std::uint32_t like = animal::kNone;  // another bone, which has rows of its own
+    bool operator==(const BoneRows&) const = default;
 };
 
 // Rows of every bone, and what single bones tell of their error: those of several bones on one vertex are
@@ -63,7 +64,8 @@ class RowSelector {
     const std::vector<Candidate>& candidates(std::size_t bone, const Limits& limits);
     const Profile& profile(std::size_t bone, const Pick& pick) const;
     Limits expected(const std::vector<Pick>& picks) const;
-    void spend_slack(const Limits& limits, std::vector<Pick>& picks) const;
+    class Room;
+    void spend_slack(const Limits& limits, Room& room, std::vector<Pick>& picks) const;
     double cost(const Candidate& candidate, const Limits& limits, const Prices& prices) const;
     std::size_t cheapest(std::size_t bone, const Limits& limits, const Prices& prices) const;
     struct Totals {
@@ -71,7 +73,7 @@ class RowSelector {
     };
     Totals totals(const Limits& limits, const Prices& prices) const;
     std::optional<Prices> find_prices(const Limits& limits) const;
-    void join_alike(const Limits& limits, const Prices& prices, std::vector<Pick>& picks) const;
+    void join_alike(const Limits& limits, const Prices& prices, Room& room, std::vector<Pick>& picks) const;
 
     const Tracks& tracks_;
     const std::vector<BonePoints>& points_;

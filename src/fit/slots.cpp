@@ -12,7 +12,7 @@ namespace posepack::fit {
 namespace {
 
 constexpr std::uint32_t kMostSlotsAnInterval = 255;
-constexpr std::array<std::uint32_t, 5> kCuts = {2, 3, 4, 6, 8};
+constexpr std::array<std::uint32_t, 7> kCuts = {2, 3, 4, 6, 8, 12, 16};
 constexpr std::uint32_t kSamplesOfALongInterval = 4;  // a key that are looked at
 constexpr std::size_t kOutermost = 6;
 constexpr double kEqualTimesS = 2e-6;
@@ -117,14 +117,16 @@ SlotPlan plan_slots(const Tracks& tracks, const std::vector<BonePoints>& points,
             continue;
         }
         std::uint32_t cut = 1;
+        bool near = false;
         for (const std::uint32_t parts : kCuts) {
-            bool near = per_key % parts == 0 && per_key >= 2 * parts;
+            if (near || per_key % parts != 0 || per_key < 2 * parts) continue;
+            cut = parts;
+            near = true;
             for (std::uint32_t part = 0; part < parts && near; ++part)
                 near = are_near(key * per_key + part * per_key / parts,
                                 key * per_key + (part + 1) * per_key / parts, 1);
-            if (per_key % parts == 0 && per_key >= 2 * parts) cut = parts;
-            if (near) break;
         }
+        plan.is_rough |= !near;
         plan.slots.push_back({row, cut, 0});
         row += cut;
         ++key;

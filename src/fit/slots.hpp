@@ -12,7 +12,8 @@ namespace posepack::fit {
 
 // Slots of a clip whose keys are the even grid of its tracks, one slot a key interval: greedily from the
 // first key on, each interval between rows as long as straight lines between the tracks' samples leave the
-// vertices within `limit`, and an interval of keys cut into up to eight where one is too long.
+// vertices within `limit`, and an interval of keys cut into up to sixteen where one is too long (two samples
+// at least for each).
 //   limit  fraction of R
 //   reach  R in units of palette space
 //   jump_times_s  clip times at which a channel jumps: a row ends in front of those that are keys

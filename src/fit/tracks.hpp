@@ -27,10 +27,12 @@ inline constexpr std::size_t numbers_of(Form form) {
 // the way from row `row` to the next, or, where the span is 0, through `offset` intervals.
 struct Slot {
     std::uint32_t row = 0, offset = 0, span = 0;
+    bool operator==(const Slot&) const = default;
 };
 struct SlotPlan {
     std::vector<Slot> slots;           // none: rows are even
     std::uint32_t interval_count = 0;  // between the rows of every moving bone
+    bool is_rough = false;             // the samples were too few to cut an interval of keys as it needs
 };
 
 // Samples 0 to interval_count of a clip, evenly over its period, of every bone.

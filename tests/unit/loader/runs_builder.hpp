@@ -27,7 +27,7 @@ struct RunClip {
     std::array<std::uint32_t, kTinyBoneCount> runs{};  // words of RUNS
     std::uint32_t turned =
         0;  // bit b: of a loop of dualquat, the last bone-row of bone b is its first turned
-    std::vector<std::uint32_t> slots;  // words of SLOT; none: a clip of plain runs
+    std::vector<std::uint32_t> slots{};  // words of SLOT; none: a clip of plain runs
 };
 
 /// What make_run_parts builds. Every combination is valid where the runs are.
