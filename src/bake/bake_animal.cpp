@@ -201,6 +201,24 @@ base::Status check_seam_gaps(const Animal& animal, const Palette& palette) {
     return {};
 }
 
+// Rows by a bound, in floats where halves do not keep it: far from an animal's centre halves are too coarse
+// for narrow bounds.
+base::Status choose_rows(const recipe::AnimalEntry& entry, const Animal& animal,
+                         const motion::SkinSet& points, const std::vector<fit::Limits>& bounds,
+                         palette::RoundingAids& aids, Palette& palette, std::vector<Issue>& findings,
+                         std::vector<std::vector<choose::Attempt>>& attempts) {
+    if (entry.output.texel_format == recipe::TexelFormat::rgba32f)
+        return choose::choose_rows(animal, points, bounds, POSEPACK_TEXEL_RGBA32F, aids, palette, attempts);
+    auto halves =
+        choose::choose_rows(animal, points, bounds, POSEPACK_TEXEL_RGBA16F, aids, palette, attempts);
+    if (halves || halves.issue().code != IssueCode::lim_bound) return halves;
+    auto floats =
+        choose::choose_rows(animal, points, bounds, POSEPACK_TEXEL_RGBA32F, aids, palette, attempts);
+    if (!floats) return floats.issue().code == IssueCode::lim_bound ? halves : floats;
+    findings.push_back({IssueCode::warn_floats, halves.issue().where, halves.issue().detail});
+    return {};
+}
+
 base::Result<Palette> make_palette(const recipe::AnimalEntry& entry, const Animal& animal,
                                    const motion::SkinSet& points, std::vector<Issue>& findings,
                                    std::vector<std::vector<choose::Attempt>>& attempts) {
@@ -228,10 +246,7 @@ base::Result<Palette> make_palette(const recipe::AnimalEntry& entry, const Anima
     aids.halves = palette.spaces.normalised ? palette::Halves::normal : palette::Halves::all;
     aids.moments = palette::bone_moments(points, palette.spaces, animal.bones.size(), palette.reach());
     if (entry.output.bound) {
-        const std::uint8_t texel_format = entry.output.texel_format == recipe::TexelFormat::rgba16f
-                                              ? POSEPACK_TEXEL_RGBA16F
-                                              : POSEPACK_TEXEL_RGBA32F;
-        if (auto status = choose::choose_rows(animal, points, bounds, texel_format, aids, palette, attempts);
+        if (auto status = choose_rows(entry, animal, points, bounds, aids, palette, findings, attempts);
             !status)
             return status.issue();
         if (auto status = check_seam_gaps(animal, palette); !status) return status.issue();

@@ -77,6 +77,7 @@ recipe::ClipRecord clip_of(const posepack_view& view, const posepack_clip& clip)
     record.seam_gap = clip.seam_gap;
     record.speed_mps = clip.speed_mps;
     record.encoding = output::encoding_name(clip.encoding);
+    record.row_scheme = output::row_scheme_name(clip.row_scheme);
     record.error = error_of(view, clip);
     return record;
 }
@@ -179,8 +180,14 @@ void fill_layout(const posepack_view& view, recipe::BakeRecord& record) {
     record.row_count = header.row_count;
     record.texture_width = header.texture_width_texels;
     record.texture_height = header.texture_height_texels;
-    record.row_scheme = header.row_scheme == POSEPACK_ROWS_RUNS ? "runs" : "uniform";
+    record.row_scheme = output::row_scheme_name(header.row_scheme);
     record.texel_bytes = texel_bytes_of(view);
+    record.row_table_bytes = 0;
+    for (const std::uint32_t type : {POSEPACK_SECTION_RUNS, POSEPACK_SECTION_SLOT}) {
+        const void* data = nullptr;
+        std::size_t size = 0;
+        if (posepack_get_section(&view, type, &data, &size) == POSEPACK_OK) record.row_table_bytes += size;
+    }
     record.radius_m = header.radius_m;
     posepack_space space;
     if (posepack_get_space(&view, &space) != POSEPACK_OK) return;

@@ -36,6 +36,14 @@ std::string_view runs_encoding(std::uint8_t encoding) {
                                                                   : recipe::Encoding::affine);
 }
 
+// Bytes of RUNS and SLOT.
+std::uint64_t row_table_bytes(const palette::Palette& palette) {
+    std::uint64_t bytes = palette.has_slots() ? POSEPACK_SLOT_HEAD_BYTES * palette.clips.size() : 0;
+    for (const palette::PaletteClip& clip : palette.clips)
+        bytes += POSEPACK_RUN_BYTES * clip.runs.entries.size() + POSEPACK_SLOT_BYTES * clip.runs.slots.size();
+    return bytes;
+}
+
 }  // namespace
 
 recipe::BakeRecord describe(const recipe::AnimalEntry& entry, const animal::Animal& animal,
@@ -47,7 +55,9 @@ recipe::BakeRecord describe(const recipe::AnimalEntry& entry, const animal::Anim
     record.encoding =
         palette.has_runs() ? runs_encoding(palette.layout.encoding) : recipe::name_of(entry.output.encoding);
     record.row_scheme = palette.has_runs() ? "runs" : "uniform";
-    record.texel_format = name_of(entry.output.texel_format);
+    record.texel_format =
+        name_of(palette.layout.texel_format == POSEPACK_TEXEL_RGBA32F ? recipe::TexelFormat::rgba32f
+                                                                      : recipe::TexelFormat::rgba16f);
     record.texel_order = name_of(entry.output.texel_order);
     record.bone_count = palette.layout.bone_count;
     record.row_count = palette.layout.row_count;
@@ -55,6 +65,7 @@ recipe::BakeRecord describe(const recipe::AnimalEntry& entry, const animal::Anim
     record.texture_width = palette.layout.texture_width;
     record.texture_height = palette.layout.texture_height;
     record.texel_bytes = palette.layout.texel_payload_bytes();
+    record.row_table_bytes = row_table_bytes(palette);
     record.radius_m = static_cast<float>(palette.radius * palette.metres_per_unit);
     for (std::size_t c = 0; c < palette.clips.size(); ++c) {
         const palette::PaletteClip& clip = palette.clips[c];
@@ -73,6 +84,7 @@ recipe::BakeRecord describe(const recipe::AnimalEntry& entry, const animal::Anim
         out.seam_gap = static_cast<float>(clip.plan.seam_gap);
         out.speed_mps = static_cast<float>(clip.speed_mps);
         out.encoding = has_runs ? runs_encoding(clip.runs.encoding) : name_of(entry.output.encoding);
+        out.row_scheme = !has_runs ? "uniform" : clip.runs.slots.empty() ? "runs" : "slots";
         if (stats != nullptr) out.error = error_record(stats->clips[c], animal, palette);
         record.clips.push_back(std::move(out));
     }
@@ -91,8 +103,8 @@ std::vector<recipe::TryRecord> tried(const std::vector<choose::Attempt>& attempt
     std::vector<recipe::TryRecord> out;
     out.reserve(attempts.size());
     for (const choose::Attempt& one : attempts)
-        out.push_back({std::string(runs_encoding(one.encoding)), one.bytes, one.max, one.p999, one.rms,
-                       one.keeps_bound});
+        out.push_back({std::string(runs_encoding(one.encoding)), one.has_slots ? "slots" : "runs", one.bytes,
+                       one.max, one.p999, one.rms, one.keeps_bound});
     return out;
 }
 

@@ -40,6 +40,7 @@ output::TextTable clips_table(const posepack_view& view) {
                      {"first"},
                      {"rate Hz"},
                      {"period s"},
+                     {"form", Align::left},
                      {"wrap", Align::left},
                      {"speed m/s"},
                      {"max / R"},
@@ -69,7 +70,8 @@ output::TextTable clips_table(const posepack_view& view) {
         };
         table.rows.push_back(
             {text_of(clip.name), std::to_string(clip.row_count), std::to_string(clip.first_row),
-             fmt::format("{:.6g}", clip.rate_hz), fmt::format("{:.4f}", clip.period_s), wrap,
+             fmt::format("{:.6g}", clip.rate_hz), fmt::format("{:.4f}", clip.period_s),
+             output::encoding_name(clip.encoding) + ", " + output::row_scheme_name(clip.row_scheme), wrap,
              clip.speed_mps > 0 ? fmt::format("{:.3g}", clip.speed_mps) : "-", figure(clip.error.max),
              figure(clip.error.p999), figure(clip.error.rms), millimetres(clip.error.max),
              millimetres(clip.error.p999), millimetres(clip.error.rms),

@@ -69,6 +69,7 @@ json clip_json(const posepack_clip& clip, float radius_m) {
              {"interpolation", clip.interpolation == POSEPACK_INTERPOLATION_STEP ? "step" : "linear"},
              {"first_row", clip.first_row},
              {"row_count", clip.row_count},
+             {"row_scheme", row_scheme_name(clip.row_scheme)},
              {"rate_hz", number(clip.rate_hz)},
              {"period_s", number(clip.period_s)},
              {"start_s", number(clip.start_s)},
@@ -182,6 +183,7 @@ std::string container_json(const posepack_view& view, int indent) {
                    {"texel_format", texel_format_name(header.texel_format)},
                    {"texels_per_bone", header.texels_per_bone},
                    {"texel_order", texel_order_name(header.texel_order)},
+                   {"row_scheme", row_scheme_name(header.row_scheme)},
                    {"texture_width", header.texture_width_texels},
                    {"texture_height", header.texture_height_texels},
                    {"row_pitch_bytes", header.row_pitch_bytes},
@@ -220,6 +222,19 @@ std::uint32_t joints_without_bone(const posepack_view& view) {
                 joints.insert({mesh.skin == POSEPACK_NONE ? ~m : mesh.skin, j});
         }
     return static_cast<std::uint32_t>(joints.size());
+}
+
+std::string row_scheme_name(std::uint32_t row_scheme) {
+    switch (row_scheme) {
+        case POSEPACK_ROWS_UNIFORM:
+            return "uniform";
+        case POSEPACK_ROWS_SLOTS:
+            return "slots";
+        case POSEPACK_ROWS_RUNS:
+            return "runs";
+        default:
+            return fmt::format("row scheme {}", row_scheme);
+    }
 }
 
 std::string encoding_name(std::uint32_t encoding) {

@@ -22,10 +22,11 @@ std::string space_json(const posepack_view& view);
 // Joints of skins that have no bone because no vertex moves by them.
 std::uint32_t joints_without_bone(const posepack_view& view);
 
-// Names of the format's numbers: "affine", "rgba16f", "bone-major", "loop".
+// Names of the format's numbers: "affine", "rgba16f", "bone-major", "runs", "loop".
 std::string encoding_name(std::uint32_t encoding);
 std::string texel_format_name(std::uint32_t format);
 std::string texel_order_name(std::uint32_t order);
+std::string row_scheme_name(std::uint32_t row_scheme);
 std::string wrap_name(std::uint32_t wrap);
 std::string seam_name(std::uint32_t seam);
 

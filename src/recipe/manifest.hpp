@@ -47,7 +47,8 @@ struct ReductionRecord {
 // One try to find the smallest rows within a bound: what it would have stored, and its measured error.
 struct TryRecord {
     std::string encoding;
-    std::uint64_t bytes = 0;  // of bone-rows and the table of runs
+    std::string row_scheme;   // "runs", "slots"
+    std::uint64_t bytes = 0;  // of bone-rows and the tables of rows
     float max = 0, p999 = 0, rms = 0;
     bool keeps_bound = false;
 };
@@ -62,6 +63,7 @@ struct ClipRecord {
     float seam_gap = 0;         // fraction of R
     float speed_mps = 0;
     std::string encoding;
+    std::string row_scheme;  // "uniform", "runs", "slots"
     std::vector<TryRecord>
         tried;  // in their order, where a bound chose: the smallest that keeps it was taken
     ErrorRecord error;
@@ -92,6 +94,7 @@ struct BakeRecord {
     std::uint32_t bone_count = 0, row_count = 0, vertex_count = 0;
     std::uint32_t texture_width = 0, texture_height = 0;
     std::uint64_t texel_bytes = 0;
+    std::uint64_t row_table_bytes = 0;  // of RUNS and SLOT
     float radius_m = 0;
     std::vector<ClipRecord> clips;
     std::vector<StateRecord> states;

@@ -104,9 +104,10 @@ void check_flag(const Value& options, std::string_view key) {
 }
 
 TryRecord read_try(const Value& value) {
-    value.expect_object({"bytes", "encoding", "keeps_bound", "max", "p999", "rms"});
+    value.expect_object({"bytes", "encoding", "keeps_bound", "max", "p999", "rms", "row_scheme"});
     TryRecord one;
     one.encoding = choice<Encoding>(value, "encoding");
+    one.row_scheme = value.need("row_scheme").one_of({"runs", "slots"});
     one.bytes = whole_u64(value, "bytes");
     one.max = number(value, "max");
     one.p999 = number(value, "p999");
@@ -119,8 +120,8 @@ TryRecord read_try(const Value& value) {
 
 ClipRecord read_clip(const Value& clip) {
     clip.expect_object({"encoding", "error", "first_row", "interpolation", "name", "period_s", "rate_hz",
-                        "row_count", "seam", "seam_gap", "source_name", "speed_mps", "start_s", "tried",
-                        "wrap"});
+                        "row_count", "row_scheme", "seam", "seam_gap", "source_name", "speed_mps", "start_s",
+                        "tried", "wrap"});
     ClipRecord record;
     record.name = text(clip, "name");
     record.source_name = text(clip, "source_name");
@@ -135,6 +136,7 @@ ClipRecord read_clip(const Value& clip) {
     record.seam_gap = number(clip, "seam_gap");
     record.speed_mps = number(clip, "speed_mps");
     record.encoding = choice<Encoding>(clip, "encoding");
+    record.row_scheme = clip.need("row_scheme").one_of({"runs", "slots", "uniform"});
     for (const Value& one : clip.need("tried").elements()) record.tried.push_back(read_try(one));
     record.error = read_error(clip.need("error"), false);
     return record;
@@ -195,6 +197,7 @@ void read_palette(const Value& value, BakeRecord* record) {
     record->texture_width = whole_u32(value, "texture_width");
     record->texture_height = whole_u32(value, "texture_height");
     record->texel_bytes = whole_u64(value, "texel_bytes");
+    record->row_table_bytes = whole_u64(value, "row_table_bytes");
     record->radius_m = number(value, "radius_m");
 }
 
@@ -217,6 +220,7 @@ BakeRecord read_record(const Value& value) {
                          "remarks",
                          "row_count",
                          "row_scheme",
+                         "row_table_bytes",
                          "states",
                          "texel_bytes",
                          "texel_format",

@@ -52,7 +52,8 @@ Json tried_json(const std::vector<TryRecord>& tried) {
                         {"keeps_bound", one.keeps_bound},
                         {"max", number(one.max)},
                         {"p999", number(one.p999)},
-                        {"rms", number(one.rms)}});
+                        {"rms", number(one.rms)},
+                        {"row_scheme", one.row_scheme}});
     return list;
 }
 
@@ -65,6 +66,7 @@ Json clip_json(const ClipRecord& clip) {
             {"period_s", number(clip.period_s)},
             {"rate_hz", number(clip.rate_hz)},
             {"row_count", clip.row_count},
+            {"row_scheme", clip.row_scheme},
             {"seam", clip.seam},
             {"seam_gap", number(clip.seam_gap)},
             {"source_name", clip.source_name},
@@ -108,6 +110,7 @@ Json record_json(const BakeRecord& record) {
             {"remarks", record.remarks},
             {"row_count", record.row_count},
             {"row_scheme", record.row_scheme},
+            {"row_table_bytes", record.row_table_bytes},
             {"states", std::move(states)},
             {"texel_bytes", record.texel_bytes},
             {"texel_format", record.texel_format},

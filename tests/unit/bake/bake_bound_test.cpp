@@ -3,6 +3,8 @@
 // fewer bytes; what cannot be kept is refused with what was reached.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "bake/bake_animal.hpp"
@@ -32,7 +34,7 @@ base::Result<BakedAnimal> bake_goat(const std::optional<recipe::ErrorBound>& bou
 }
 
 std::uint64_t bytes_of(const recipe::BakeRecord& record) {
-    return record.texel_bytes + std::uint64_t{4} * record.bone_count * record.clips.size();
+    return record.texel_bytes + record.row_table_bytes;
 }
 
 TEST(BakeUnderABound, KeepsItAndIsSmaller) {
@@ -133,6 +135,77 @@ TEST(BakeUnderABound, ClipsHaveTheirOwnForms) {
         EXPECT_TRUE(clip.encoding == "dualquat" || clip.encoding == "affine") << clip.name;
     EXPECT_TRUE(baked.value().record.encoding == "mixed" || baked.value().record.encoding == "affine" ||
                 baked.value().record.encoding == "dualquat");
+}
+
+// Two seconds of stillness about an eighth of a second of shaking.
+support::ModelSpec shaking() {
+    support::ModelSpec spec = support::one_bone({1, 0, 0, 0, 1, 0, 0, 0, 1});
+    support::ChannelSpec channel;
+    channel.times = support::grid(65, 32);
+    std::vector<std::array<float, 4>> rotations;
+    for (int key = 0; key < 65; ++key)
+        rotations.push_back(
+            support::turn(key >= 30 && key < 36 ? (key % 2 == 0 ? 50.0 : -50.0) : 0.0, 0, 0, 1));
+    channel.values = support::turns(rotations);
+    spec.clips.push_back({"Shake", {channel}});
+    return spec;
+}
+
+TEST(BakeUnderABound, BurstsGetSlots) {
+    const auto baked = bake_animal(entry_of(bound_of(2e-2)), support::glb_of(shaking()), {});
+    ASSERT_TRUE(baked) << base::format_issue(baked.issue());
+    const recipe::ClipRecord& clip = baked.value().record.clips.front();
+    EXPECT_EQ(clip.row_scheme, "slots");
+    EXPECT_LE(clip.error.max, 2e-2f);
+    std::uint64_t least_of_runs = UINT64_MAX;
+    for (const recipe::TryRecord& one : clip.tried)
+        if (one.row_scheme == "runs" && one.keeps_bound) least_of_runs = std::min(least_of_runs, one.bytes);
+    EXPECT_LT(2 * bytes_of(baked.value().record), least_of_runs);
+    posepack_view view;
+    ASSERT_EQ(posepack_open(&view, baked.value().container.data(), baked.value().container.size()),
+              POSEPACK_OK);
+    posepack_clip stored;
+    ASSERT_EQ(posepack_get_clip(&view, 0, &stored), POSEPACK_OK);
+    EXPECT_EQ(stored.slot_count, 64u);
+}
+
+// A channel that is held beside one that turns evenly: the pose jumps, and is right on both sides.
+TEST(BakeUnderABound, RowsEndInFrontOfJumps) {
+    support::ModelSpec spec = support::one_bone({1, 0, 0, 0, 1, 0, 0, 0, 1});
+    support::ChannelSpec turning, held;
+    turning.times = held.times = support::grid(33, 32);
+    held.path = "translation";
+    held.interpolation = "STEP";
+    std::vector<std::array<float, 4>> rotations;
+    for (int key = 0; key < 33; ++key) {
+        rotations.push_back(support::turn(2.0 * key, 0, 0, 1));
+        held.values.insert(held.values.end(), {key < 11 ? 0.0f : key < 20 ? 0.5f : 0.2f, 0.0f, 0.0f});
+    }
+    turning.values = support::turns(rotations);
+    spec.clips.push_back({"Step", {turning, held}});
+    recipe::AnimalEntry entry = entry_of(bound_of(2e-2));
+    recipe::ClipWish wish;
+    wish.name = "*";
+    wish.wrap = recipe::Wrap::once;
+    entry.clips = {wish};
+    const auto baked = bake_animal(entry, support::glb_of(spec), {});
+    ASSERT_TRUE(baked) << base::format_issue(baked.issue());
+    EXPECT_EQ(baked.value().record.clips.front().row_scheme, "slots");
+    EXPECT_LE(baked.value().record.clips.front().error.max, 2e-2f);
+}
+
+TEST(BakeUnderABound, FloatsHoldWhatHalvesDoNot) {
+    const auto baked = bake_goat(bound_of(4e-4));
+    ASSERT_TRUE(baked) << base::format_issue(baked.issue());
+    EXPECT_EQ(baked.value().record.texel_format, "rgba32f");
+    EXPECT_LE(baked.value().record.error.max, 4e-4f);
+    bool warned = false;
+    for (const base::Issue& finding : baked.value().findings)
+        warned = warned || finding.code == base::IssueCode::warn_floats;
+    EXPECT_TRUE(warned);
+    const auto wider = bake_goat(bound_of(2e-2));
+    ASSERT_TRUE(wider);
+    EXPECT_EQ(wider.value().record.texel_format, "rgba16f");
 }
 
 TEST(BakeUnderABound, WhatCannotBeKeptIsRefused) {

@@ -43,6 +43,22 @@ TEST(TestTimes, AreTheRowsOfEveryRun) {
     for (std::size_t i = 0; i < times.size(); ++i) EXPECT_NEAR(times[i], expected[i], 1e-12);
 }
 
+TEST(TestTimes, AreTheRowsThatSlotsShow) {
+    palette::PaletteClip clip = plan_of(7, 1, 1, recipe::Wrap::once);
+    clip.runs.entries = {6u << POSEPACK_RUN_OFFSET_BITS};
+    const auto slot = [](std::uint32_t row, std::uint32_t offset, std::uint32_t span) {
+        return row | offset << 16 | span << 24;
+    };
+    // Quarters: two share the first interval, one holds three, one is held.
+    clip.runs.slots = {slot(0, 0, 2), slot(0, 1, 2), slot(1, 3, 0), slot(4, 0, 0)};
+    const std::vector<double> times = test_times_s(clip, {});
+    std::vector<double> rows;
+    for (std::size_t i = 0; i < times.size(); i += 2) rows.push_back(times[i]);
+    const std::vector<double> expected{0.0, 0.5, 0.5 + 1.0 / 12, 0.5 + 2.0 / 12, 0.75, 1.0};
+    ASSERT_EQ(rows.size(), expected.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) EXPECT_NEAR(rows[i], expected[i], 1e-12);
+}
+
 TEST(TestTimes, LeaveTheGapOfAnOpenLoopOut) {
     const std::vector<double> times = test_times_s(plan_of(4, 1, 0.75, recipe::Wrap::loop), {});
     EXPECT_EQ(times.back(), 0.75) << "behind the last key there is no source to compare with";

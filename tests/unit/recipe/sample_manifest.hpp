@@ -43,7 +43,9 @@ inline ClipRecord sample_clip(std::string name, std::string wrap, std::uint32_t 
     clip.seam_gap = 1e-7f;
     clip.speed_mps = 1.4f;
     clip.encoding = "affine";
-    clip.tried = {{"affine", 240, 0.03f, 0.01f, 0.002f, false}, {"affine", 480, 0.01f, 0.004f, 0.001f, true}};
+    clip.row_scheme = "slots";
+    clip.tried = {{"affine", "runs", 240, 0.03f, 0.01f, 0.002f, false},
+                  {"affine", "slots", 480, 0.01f, 0.004f, 0.001f, true}};
     return clip;
 }
 
@@ -67,6 +69,7 @@ inline BakeRecord sample_record(const std::string& id) {
     record.texture_width = 159;
     record.texture_height = 48;
     record.texel_bytes = 61'056;
+    record.row_table_bytes = 424;
     record.radius_m = 0.1f;
     return record;
 }
