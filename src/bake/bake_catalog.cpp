@@ -166,7 +166,7 @@ base::Result<BakeOutcome> bake_catalog(const CatalogSource& source, const BakeOp
         outcome.times.push_back(slot.times);
         outcome.manifest.records.push_back(std::move(slot.record));
     }
-    if (outcome.manifest.records.empty()) return outcome.failures.front();
+    if (outcome.manifest.records.empty()) return outcome;  // nothing to publish
 
     outcome.manifest.bake_abi = POSEPACK_BAKE_ABI;
     outcome.manifest.tool_version = POSEPACK_VERSION;

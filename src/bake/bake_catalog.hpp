@@ -50,7 +50,7 @@ struct BakedSummary {
 };
 
 struct BakeOutcome {
-    recipe::Manifest manifest;          // what was published
+    recipe::Manifest manifest;          // what was published; without records nothing was
     std::vector<BakedSummary> times;    // in the order of manifest.records
     std::vector<base::Issue> findings;  // warnings, animal by animal
     std::vector<base::Issue> failures;  // animals left out under keep_going
@@ -58,7 +58,8 @@ struct BakeOutcome {
 };
 
 // Bakes every animal of the catalog into options.output. Without keep_going the first failing animal (by id)
-// is the error and nothing is published; the old content of the folder stays whole.
+// is the error and nothing is published; the old content of the folder stays whole. So it stays where, with
+// keep_going, every animal fails: the outcome then has failures alone.
 // An interrupt ends it between two animals, or before anything is renamed.
 // Errors: those of open_catalog, read_model, bake_animal and OutputFolder, E-INTERRUPTED.
 base::Result<BakeOutcome> bake_catalog(const CatalogSource& source, const BakeOptions& options);

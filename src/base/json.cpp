@@ -28,6 +28,7 @@ namespace {
 namespace rapidjson = posepack_base_rapidjson;
 
 constexpr std::size_t kDetailBytes = 64;
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::size_t kVectorBytes = 16;  // what RapidJSON may look at behind the end, never to use it
 
 // RapidJSON works on a copy of it inside a token, so that Tell() of the original is the token's first byte
@@ -236,6 +237,8 @@ std::string_view expectation(rapidjson::ParseErrorCode code) {
 
 std::string found_at(std::string_view text, std::size_t offset) {
     if (offset >= text.size()) return "the end of the text";
+    if (text.substr(offset, kByteOrderMark.size()) == kByteOrderMark)
+        return "a byte-order mark (save as UTF-8 without it)";
     const auto byte = static_cast<std::uint8_t>(text[offset]);
     if (byte < 0x20 || byte >= 0x7F) return fmt::format("byte 0x{:02X}", byte);
     return fmt::format("'{}'", text[offset]);

@@ -107,6 +107,7 @@ int run(const Options& options) {
     const bake::BakeOutcome& done = outcome.value();
     print_issues(done.findings);
     print_issues(done.failures);
+    if (done.manifest.records.empty()) return exit_code_of(done.failures.front());
     if (*options.format == Format::json) {
         fmt::print("{}", write_manifest(done.manifest));
     } else {

@@ -25,9 +25,13 @@ void print_issues(std::span<const base::Issue> issues) {
     for (const base::Issue& issue : issues) print_issue(issue);
 }
 
+int exit_code_of(const base::Issue& issue) {
+    return static_cast<int>(issue_kind(issue.code).exit_code);
+}
+
 int fail(const base::Issue& issue) {
     print_issue(issue);
-    return static_cast<int>(issue_kind(issue.code).exit_code);
+    return exit_code_of(issue);
 }
 
 }  // namespace posepack::cli

@@ -18,6 +18,8 @@ DiagnosticStyle& diagnostic_style();
 void print_issue(const base::Issue& issue);
 void print_issues(std::span<const base::Issue> issues);
 
+int exit_code_of(const base::Issue& issue);
+
 // Prints `issue` and gives its exit code.
 int fail(const base::Issue& issue);
 

@@ -398,6 +398,12 @@ def _failure_keeps_the_old(case):
     result = case.bake(catalog, "--rate", 20)
     case.expect_refused(result, 3, "E-GLB-TRUNCATED", ("deer_01",))
     case.equal(snapshot(case.path("out")), before, "the folder after a bake that failed")
+    for name in ("deer_00", "deer_01", "deer_02"):
+        case.write(f"models/{name}.glb", b"glTG")
+    every_one = case.bake(catalog, "--keep-going")
+    case.equal(every_one.exit_code, 3, "exit code where every animal fails, with --keep-going")
+    case.equal(every_one.stderr.count("error["), 3, "failures that are named")
+    case.equal(snapshot(case.path("out")), before, "the folder after a bake in which every animal failed")
     all_bad = case.bake(case.write_animal(b""), "--keep-going", output="nothing")
     case.equal(all_bad.exit_code, 3, "exit code where no animal is good, with --keep-going")
     case.equal(case.output("nothing"), [], "files where no animal is good")

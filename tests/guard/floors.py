@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Rooms include rooms on lower floors only, and third-party headers enter by one door each.
+"""Rooms include rooms on lower floors only, and third-party headers enter by one door each. The table of
+CONTRIBUTING.md names every room on its floor.
 
 A header that shows a third-party header behind a door is private: only its own room may include it."""
 
@@ -42,6 +43,8 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 PRINTING = re.compile(r"\bstd::(?:cout|cerr|clog|puts|printf|fprintf)\b|(?<![\w.>:])(?:printf|fprintf|puts|perror)\s*\("
                       r"|\bfmt::(?:print|println)\b")
 COMMENTS = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
+TABLE_LINE = re.compile(r"^\| (\d+) \| ([^|]+) \|", re.MULTILINE)
+ROOM_NAME = re.compile(r"`(\w+)`")
 STRINGS = re.compile(r'"(?:[^"\\\n]|\\.)*"')
 
 
@@ -110,6 +113,15 @@ def check_public(report, path, text):
             report.fault(path, f"public headers include C's own headers only, found <{match.group(2)}>")
 
 
+def check_table(report, text):
+    """The table of people: each room of FLOORS is there, on the floor it has here."""
+    table = {room: int(line.group(1)) for line in TABLE_LINE.finditer(text) for room in ROOM_NAME.findall(line.group(2))}
+    for room in sorted(FLOORS.keys() | table.keys()):
+        report.looked()
+        if table.get(room) != FLOORS.get(room):
+            report.fault("CONTRIBUTING.md", f"expected {room} on floor {FLOORS.get(room)}, found {table.get(room)}")
+
+
 def main():
     root = guard.project_root()
     report = guard.Report("includes of rooms")
@@ -126,6 +138,8 @@ def main():
             check_printing(report, path, parts[1], text)
         else:
             report.fault(path, f"{parts[1]} has no floor yet: name its room in tests/guard/floors.py")
+    if "CONTRIBUTING.md" in guard.project_files(root):
+        check_table(report, guard.read_text(root, "CONTRIBUTING.md"))
     return report.finish()
 
 

@@ -74,6 +74,17 @@ class Floors(GuardCase):
         self.assert_clean("floors", {**door, "src/animal/a.cpp": '#include "animal/door.hpp"\n'})
         self.assert_fault("floors", {**door, "src/motion/a.cpp": '#include "animal/door.hpp"\n'}, "private to animal")
 
+    def test_the_table_of_rooms_is_whole(self):
+        sys.path.insert(0, HERE)
+        from floors import FLOORS
+        code = {"src/cli/other.cpp": '#include "base/text.hpp"\n'}
+        lines = {room: f"| {floor} | `{room}` | what it does |\n" for room, floor in FLOORS.items()}
+        self.assert_clean("floors", {**code, "CONTRIBUTING.md": "".join(lines.values())})
+        for changed, words in [({"fit": ""}, "fit on floor 5, found None"), ({"fit": "| 4 | `fit` | |\n"}, "found 4"),
+                               ({"extra": "| 3 | `attic` | |\n"}, "attic on floor None")]:
+            text = "".join({**lines, **changed}.values())
+            self.assert_fault("floors", {**code, "CONTRIBUTING.md": text}, "CONTRIBUTING.md", words)
+
     def test_comments_and_strings_are_not_code(self):
         self.assert_clean("floors", {
             "src/base/a.cpp": '// #include <iostream>\n#include <string>\n/* printf( */ const char* k = "printf(";\n'})

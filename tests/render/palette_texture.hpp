@@ -20,6 +20,7 @@ class PaletteTexture {
     explicit PaletteTexture(std::vector<std::uint8_t> bytes);
 
     const posepack_view& view() const { return view_; }
+    const posepack_space& space() const { return space_; }
     posepack_clip clip(std::uint32_t index) const;
     std::uint32_t find_clip(const std::string& name) const;
 

@@ -40,7 +40,15 @@ std::uint32_t clip_of(const SheetAnimal& animal, const char* state) {
     return clip;
 }
 
-// What the skin of a row covers, seen from the eye.
+glm::vec3 transformed(const float* rows, const glm::vec3& place) {
+    glm::vec3 out;
+    for (int r = 0; r < 3; ++r)
+        out[r] = glm::dot(glm::vec4(rows[4 * r], rows[4 * r + 1], rows[4 * r + 2], rows[4 * r + 3]),
+                          glm::vec4(place, 1.0f));
+    return out;
+}
+
+// What the skin of a row covers, in model space, seen from the eye.
 Box seen(const SheetAnimal& animal, std::uint32_t clip, float phase, const glm::mat4& view) {
     const posepack_clip facts = animal.palette.clip(clip);
     const std::uint32_t row =
@@ -48,21 +56,20 @@ Box seen(const SheetAnimal& animal, std::uint32_t clip, float phase, const glm::
     std::vector<float> matrices(std::size_t{animal.palette.view().header.bone_count} * 12);
     require(posepack_decode_row(&animal.palette.view(), row, matrices.data()) == POSEPACK_OK,
             fmt::format("expected row {} of {}", row, animal.id));
+    const float* model_from_palette = animal.palette.space().model_from_palette;
     Box box;
     for (const MeshVertex& vertex : animal.mesh.vertices) {
-        glm::vec3 place(0.0f);
-        for (std::size_t slot = 0; slot < 4; ++slot) {
-            const float* m = &matrices[static_cast<std::size_t>(vertex.joints[slot]) * 12];
-            const glm::vec4 at(vertex.position, 1.0f);
-            for (int r = 0; r < 3; ++r)
-                place[r] += vertex.weights[slot] *
-                            glm::dot(glm::vec4(m[4 * r], m[4 * r + 1], m[4 * r + 2], m[4 * r + 3]), at);
-        }
+        glm::vec3 skinned(0.0f);
+        for (std::size_t slot = 0; slot < 4; ++slot)
+            skinned +=
+                vertex.weights[slot] *
+                transformed(&matrices[static_cast<std::size_t>(vertex.joints[slot]) * 12], vertex.position);
+        const glm::vec3 place = transformed(model_from_palette, skinned);
+        const float bind_height = transformed(model_from_palette, vertex.position).y;
         const glm::vec2 point(view * glm::vec4(place, 1.0f));
         const glm::vec2 below(view * glm::vec4(place.x, 0.0f, place.z, 1.0f));  // its shadow, nearly
-        box.low = glm::min(box.low, place.y < 0.3f * vertex.position.y
-                                        ? point
-                                        : glm::min(point, glm::mix(point, below, 0.15f)));
+        box.low = glm::min(
+            box.low, place.y < 0.3f * bind_height ? point : glm::min(point, glm::mix(point, below, 0.15f)));
         box.high = glm::max(box.high, point);
     }
     return box;

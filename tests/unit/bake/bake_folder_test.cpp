@@ -210,6 +210,21 @@ TEST_F(Folder, KeepGoingBakesTheRestWithoutAModel) {
     EXPECT_EQ(outcome.manifest.records[0].id, "tail");
 }
 
+TEST_F(Folder, KeepGoingNamesEveryFailureWhereNoneIsLeft) {
+    bake();
+    const std::string manifest = read_text(out("manifest.json"));
+    write_model("bone.glb", {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12});
+    std::filesystem::remove(root() / "tail.glb");
+    options.keep_going = true;
+    const BakeOutcome outcome = bake();
+    EXPECT_TRUE(outcome.manifest.records.empty());
+    ASSERT_EQ(outcome.failures.size(), 2u);
+    EXPECT_EQ(outcome.failures[0].code, IssueCode::glb_magic);
+    EXPECT_EQ(outcome.failures[1].code, IssueCode::io_open);
+    EXPECT_EQ(read_text(out("manifest.json")), manifest);
+    EXPECT_EQ(base::names_in(root() / "out").size(), 3u) << "no temporary file is left";
+}
+
 TEST_F(Folder, AnInterruptPublishesNothing) {
     bake();
     const std::string manifest = read_text(out("manifest.json"));

@@ -45,6 +45,11 @@ TEST(CheckJson, AcceptsEveryKindOfValue) {
     }
 }
 
+TEST(CheckJson, NamesAByteOrderMark) {
+    EXPECT_NE(check_json("\xEF\xBB\xBF{}").detail.find("byte-order mark"), std::string::npos);
+    EXPECT_EQ(check_json("\xEF{}").detail.find("byte-order mark"), std::string::npos);
+}
+
 TEST(CheckJson, RefusesWhatIsNoJson) {
     expect_rows({
         {"", JsonFault::syntax, 0},
