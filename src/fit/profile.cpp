@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 
 namespace posepack::fit {
 namespace {
@@ -18,7 +19,7 @@ struct Influence {
     float weight;
 };
 
-// Every so manieth vertex, then the outermost along the axes.
+// Every so manieth vertex, then the outermost along the axes; both filled up with points of no weight.
 BonePoints choose_points(const std::vector<Influence>& all) {
     BonePoints out;
     const auto push = [&](const Influence& influence) {
@@ -27,20 +28,26 @@ BonePoints choose_points(const std::vector<Influence>& all) {
         out.z.push_back(influence.point[2]);
         out.weight.push_back(influence.weight);
     };
+    const auto fill_up = [&] {
+        while (out.x.size() % kPointsAtOnce != 0) push({});
+    };
     if (all.empty()) return out;
     const std::size_t count = std::min(kCountedPoints, all.size());
     for (std::size_t i = 0; i < count; ++i) push(all[i * all.size() / count]);
-    out.counted = count;
+    fill_up();
+    out.counted = out.x.size();
     out.share = static_cast<double>(all.size()) / static_cast<double>(count);
-    if (all.size() > count)
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            // A vertex that hardly belongs to the bone is not its end.
-            const auto score = [&](const Influence& i) { return i.weight * i.point[axis]; };
-            const auto [low, high] = std::minmax_element(
-                all.begin(), all.end(), [&](const auto& a, const auto& b) { return score(a) < score(b); });
-            push(*low);
-            push(*high);
-        }
+    if (all.size() == count) return out;
+    out.outermost = out.counted;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        // A vertex that hardly belongs to the bone is not its end.
+        const auto score = [&](const Influence& i) { return i.weight * i.point[axis]; };
+        const auto [low, high] = std::minmax_element(
+            all.begin(), all.end(), [&](const auto& a, const auto& b) { return score(a) < score(b); });
+        push(*low);
+        push(*high);
+    }
+    fill_up();
     return out;
 }
 
@@ -67,18 +74,46 @@ void write_matrix(Form form, const double* n, float* m) {
     m[11] = static_cast<float>(h * (w * n[6] - n[7] * z + (x * n[5] - y * n[4])));
 }
 
-// The square of the distance, weight taken in, that a difference of matrices makes of one point.
-float square_of(const float* e, const BonePoints& points, std::size_t i, float scale) {
-    const float x = points.x[i], y = points.y[i], z = points.z[i];
-    const float dx = e[0] * x + e[1] * y + e[2] * z + e[3];
-    const float dy = e[4] * x + e[5] * y + e[6] * z + e[7];
-    const float dz = e[8] * x + e[9] * y + e[10] * z + e[11];
-    const float w = points.weight[i] * scale;
+// Four points at once, an extension of GCC and clang that every processor has.
+using Four = float __attribute__((vector_size(16)));
+using FourBits = std::int32_t __attribute__((vector_size(16)));
+static_assert(sizeof(Four) == kPointsAtOnce * sizeof(float));
+
+Four load(const float* values) {
+    Four four;
+    std::memcpy(&four, values, sizeof four);
+    return four;
+}
+
+// The squares of the distances, weights taken in, that a difference of matrices makes of points i to i + 3.
+Four squares_of(const float* e, const BonePoints& points, std::size_t i, float scale) {
+    const Four x = load(&points.x[i]), y = load(&points.y[i]), z = load(&points.z[i]);
+    const Four dx = e[0] * x + e[1] * y + e[2] * z + e[3];
+    const Four dy = e[4] * x + e[5] * y + e[6] * z + e[7];
+    const Four dz = e[8] * x + e[9] * y + e[10] * z + e[11];
+    const Four w = load(&points.weight[i]) * scale;
     return w * w * (dx * dx + dy * dy + dz * dz);
 }
 
-void squares_of(const float* e, const BonePoints& points, float scale, float* out) {
-    for (std::size_t i = 0; i < points.x.size(); ++i) out[i] = square_of(e, points, i, scale);
+// Of squares, which have no sign, the larger are the larger integers; NaN is the largest.
+class LargestSquare {
+ public:
+    void add(Four squares) {
+        const auto bits = std::bit_cast<FourBits>(squares);
+        const FourBits is_larger = bits > largest_;
+        largest_ = (bits & is_larger) | (largest_ & ~is_larger);
+    }
+    float value() const {
+        const auto four = std::bit_cast<std::array<std::int32_t, kPointsAtOnce>>(largest_);
+        return std::bit_cast<float>(*std::max_element(four.begin(), four.end()));
+    }
+
+ private:
+    FourBits largest_{};
+};
+
+void subtract(std::span<float, 12> matrix, std::span<const float> exact) {
+    for (std::size_t i = 0; i < 12; ++i) matrix[i] -= exact[i];
 }
 
 }  // namespace
@@ -102,10 +137,8 @@ std::vector<BonePoints> bone_points(const motion::SkinSet& points, const palette
     return out;
 }
 
-void Profile::add(float square, double share) {
-    const auto value = static_cast<double>(square);
-    square_sum += share * value;
-    if (value <= floor_square_) return;
+void Profile::count(float square, double share) {
+    if (static_cast<double>(square) <= floor_square_) return;
     const auto bin = (std::bit_cast<std::uint32_t>(square) -
                       std::bit_cast<std::uint32_t>(static_cast<float>(floor_square_))) >>
                      kBinShift;
@@ -125,28 +158,36 @@ double Profile::count_above(double distance) const {
 }
 
 Profile profile_of(const Tracks& tracks, const Polyline& line, std::size_t bone, const BonePoints& points,
-                   double reach, double floor, std::vector<float>* sample_errors) {
+                   double reach, double floor, double enough, std::vector<float>* sample_errors) {
     Profile profile(floor);
     if (points.is_empty()) return profile;
     const auto scale = static_cast<float>(1.0 / reach);
+    const auto floor_square = static_cast<float>(floor * floor);
     const std::size_t width = numbers_of(tracks.form);
     std::array<double, kAffineNumbers> numbers{};
     std::array<float, 12> found{};
     std::vector<float> squares(points.x.size());
-    float max = 0.0f;
     for (std::size_t k = 0; k < tracks.known_count; ++k) {
         blend_numbers(line, width, tracks.step, tracks.phase(k), numbers.data());
         write_matrix(tracks.form, numbers.data(), found.data());
-        const std::span<const float> exact = tracks.exact_at(bone, k);
-        for (std::size_t i = 0; i < 12; ++i) found[i] -= exact[i];
-        squares_of(found.data(), points, scale, squares.data());
-        for (std::size_t i = 0; i < points.counted; ++i) profile.add(squares[i], points.share);
-        float largest = 0.0f;
-        for (const float square : squares) largest = std::max(largest, square);
-        if (sample_errors != nullptr) sample_errors->push_back(std::sqrt(largest));
-        max = std::max(max, largest);
+        subtract(found, tracks.exact_at(bone, k));
+        LargestSquare here, counted_here;
+        Four sum{};
+        for (std::size_t i = 0; i < points.x.size(); i += kPointsAtOnce) {
+            const Four four = squares_of(found.data(), points, i, scale);
+            std::memcpy(&squares[i], &four, sizeof four);
+            here.add(four);
+            if (i >= points.counted) continue;
+            sum += four;
+            counted_here.add(four);
+        }
+        profile.square_sum += points.share * (static_cast<double>(sum[0] + sum[1]) + (sum[2] + sum[3]));
+        if (counted_here.value() > floor_square)
+            for (std::size_t i = 0; i < points.counted; ++i) profile.count(squares[i], points.share);
+        if (sample_errors != nullptr) sample_errors->push_back(std::sqrt(here.value()));
+        profile.max = std::max(profile.max, std::sqrt(static_cast<double>(here.value())));
+        if (profile.max > enough) break;
     }
-    profile.max = std::sqrt(static_cast<double>(max));
     return profile;
 }
 
@@ -154,27 +195,26 @@ float largest_square(const Tracks& tracks, std::size_t bone, std::size_t sample,
                      const BonePoints& points, float scale) {
     std::array<float, 12> found{};
     write_matrix(tracks.form, numbers, found.data());
-    const std::span<const float> exact = tracks.exact_at(bone, sample);
-    for (std::size_t i = 0; i < 12; ++i) found[i] -= exact[i];
-    float largest = 0.0f;
-    for (std::size_t i = 0; i < points.x.size(); ++i)
-        largest = std::max(largest, square_of(found.data(), points, i, scale));
-    return largest;
+    subtract(found, tracks.exact_at(bone, sample));
+    LargestSquare largest;
+    for (std::size_t i = points.outermost; i < points.x.size(); i += kPointsAtOnce)
+        largest.add(squares_of(found.data(), points, i, scale));
+    return largest.value();
 }
 
 double distance_between(const Tracks& tracks, std::size_t first, std::size_t second, const BonePoints& points,
                         double reach, double enough) {
     const auto scale = static_cast<float>(1.0 / reach);
-    std::vector<float> squares(points.x.size());
     std::array<float, 12> difference{};
     float max = 0.0f;
     for (std::size_t i = 0; i < kSamplesCompared; ++i) {
         const std::size_t k = i * (tracks.known_count - 1) / (kSamplesCompared - 1);
-        const auto a = tracks.exact_at(first, k);
-        const auto b = tracks.exact_at(second, k);
-        for (std::size_t e = 0; e < 12; ++e) difference[e] = a[e] - b[e];
-        squares_of(difference.data(), points, scale, squares.data());
-        for (const float square : squares) max = std::max(max, square);
+        std::copy_n(tracks.exact_at(first, k).begin(), 12, difference.begin());
+        subtract(difference, tracks.exact_at(second, k));
+        LargestSquare largest;
+        for (std::size_t p = points.outermost; p < points.x.size(); p += kPointsAtOnce)
+            largest.add(squares_of(difference.data(), points, p, scale));
+        max = std::max(max, largest.value());
         if (static_cast<double>(max) > enough * enough) break;
     }
     return std::sqrt(static_cast<double>(max));

@@ -9,6 +9,7 @@
 namespace posepack::fit {
 namespace {
 
+constexpr double kHopeless = 4.0;      // times the largest error allowed
 constexpr double kShareAbove = 0.001;  // of places may lie above p99.9
 
 // Numbers of intervals worth a try: the key grid's, its multiples, and below it some an octave.
@@ -57,6 +58,21 @@ RowSelector::RowSelector(const Tracks& tracks, const std::vector<BonePoints>& po
       ladder_(make_ladder(tracks, finest)),
       candidates_(tracks.bone_count) {}
 
+// Errors so far above the limit are not looked at to the end.
+RowSelector::Candidate RowSelector::make_candidate(std::size_t bone, std::uint32_t intervals,
+                                                   const Limits& limits) const {
+    const double enough = kHopeless * limits.max;
+    Polyline line = fit_polyline(tracks_, bone, intervals);
+    std::vector<float> errors;
+    Profile profile = profile_of(tracks_, line, bone, points_[bone], reach_, floor_, enough, &errors);
+    if (profile.max > enough) return {intervals, std::move(line), profile, false};
+    if (!std::isfinite(limits.rms) && intervals > 0 && profile.max > floor_) {
+        line = fit_polyline(tracks_, bone, intervals, weights_of(errors, limits.p999));
+        profile = profile_of(tracks_, line, bone, points_[bone], reach_, floor_);
+    }
+    return {intervals, std::move(line), profile, true};
+}
+
 // From coarse to fine, until nothing is to be gained: no place above the floor, and a mean square that does
 // not count.
 const std::vector<RowSelector::Candidate>& RowSelector::candidates(std::size_t bone, const Limits& limits) {
@@ -64,20 +80,15 @@ const std::vector<RowSelector::Candidate>& RowSelector::candidates(std::size_t b
     const double small = std::isfinite(limits.rms) ? 0.1 * limits.rms * limits.rms * places_ /
                                                          static_cast<double>(candidates_.size())
                                                    : HUGE_VAL;
+    for (Candidate& candidate : known)
+        if (!candidate.is_whole && candidate.profile.max <= kHopeless / 2.0 * limits.max)
+            candidate = make_candidate(bone, candidate.interval_count, limits);
     while (known.size() < ladder_.size()) {
         if (!known.empty()) {
             const Profile& last = known.back().profile;
             if (last.max <= limits.max && last.count_above(floor_) == 0.0 && last.square_sum <= small) break;
         }
-        const std::uint32_t intervals = ladder_[known.size()];
-        Polyline line = fit_polyline(tracks_, bone, intervals);
-        std::vector<float> errors;
-        Profile profile = profile_of(tracks_, line, bone, points_[bone], reach_, floor_, &errors);
-        if (!std::isfinite(limits.rms) && intervals > 0 && profile.max > floor_) {
-            line = fit_polyline(tracks_, bone, intervals, weights_of(errors, limits.p999));
-            profile = profile_of(tracks_, line, bone, points_[bone], reach_, floor_);
-        }
-        known.push_back({intervals, std::move(line), profile});
+        known.push_back(make_candidate(bone, ladder_[known.size()], limits));
     }
     return known;
 }
@@ -204,9 +215,22 @@ class RowSelector::Room {
     double count_ = 0.0, square_ = 0.0;
 };
 
+// The profile of `bone` under another's rows. One that stopped at a distance stands where that is still too
+// far.
+const Profile& RowSelector::shared_profile(std::uint32_t bone, std::uint32_t other, std::size_t candidate,
+                                           const Limits& limits) {
+    const Candidate& rows = candidates_[other][candidate];
+    Shared& shared = shared_[{bone, other, rows.interval_count}];
+    if (!shared.profile || (shared.profile->max > shared.enough && shared.profile->max <= limits.max)) {
+        shared.profile = profile_of(tracks_, rows.line, bone, points_[bone], reach_, floor_, limits.max);
+        shared.enough = limits.max;
+    }
+    return *shared.profile;
+}
+
 // A bone that moves like another shares its rows where that is cheaper, errors counted, and there is room.
 void RowSelector::join_alike(const Limits& limits, const Prices& prices, Room& room,
-                             std::vector<Pick>& picks) const {
+                             std::vector<Pick>& picks) {
     std::vector<std::uint32_t> order(picks.size());
     for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
     std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -225,8 +249,7 @@ void RowSelector::join_alike(const Limits& limits, const Prices& prices, Room& r
             if (other == bone || picks[other].like != animal::kNone || points_[other].is_empty()) continue;
             const double far = 2.0 * limits.max;
             if (distance_between(tracks_, other, bone, points_[bone], reach_, far) > far) continue;
-            const Polyline& line = candidates_[other][picks[other].candidate].line;
-            const Profile shared = profile_of(tracks_, line, bone, points_[bone], reach_, floor_);
+            const Profile& shared = shared_profile(bone, other, picks[other].candidate, limits);
             const double value = value_of(shared);
             if (value >= least || !room.allows(own.profile, shared)) continue;
             least = value;

@@ -2,7 +2,9 @@
 // How many rows each bone gets, so that the clip keeps a bound with the fewest bytes.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -50,6 +52,7 @@ class RowSelector {
         std::uint32_t interval_count;
         Polyline line;
         Profile profile;
+        bool is_whole;  // else profile.max is a distance that was enough to stop at
     };
     struct Prices {
         double count, square;  // bytes for a place above p99.9, and for a unit of square
@@ -61,6 +64,7 @@ class RowSelector {
         std::optional<Profile> shared;
         bool is_shared = false;  // others read its rows
     };
+    Candidate make_candidate(std::size_t bone, std::uint32_t intervals, const Limits& limits) const;
     const std::vector<Candidate>& candidates(std::size_t bone, const Limits& limits);
     const Profile& profile(std::size_t bone, const Pick& pick) const;
     Limits expected(const std::vector<Pick>& picks) const;
@@ -73,7 +77,13 @@ class RowSelector {
     };
     Totals totals(const Limits& limits, const Prices& prices) const;
     std::optional<Prices> find_prices(const Limits& limits) const;
-    void join_alike(const Limits& limits, const Prices& prices, Room& room, std::vector<Pick>& picks) const;
+    void join_alike(const Limits& limits, const Prices& prices, Room& room, std::vector<Pick>& picks);
+    struct Shared {
+        std::optional<Profile> profile;
+        double enough = 0.0;
+    };
+    const Profile& shared_profile(std::uint32_t bone, std::uint32_t other, std::size_t candidate,
+                                  const Limits& limits);
 
     const Tracks& tracks_;
     const std::vector<BonePoints>& points_;
@@ -82,6 +92,7 @@ class RowSelector {
     double reach_, floor_;
     std::vector<std::uint32_t> ladder_;  // rising
     std::vector<std::vector<Candidate>> candidates_;
+    std::map<std::array<std::uint32_t, 3>, Shared> shared_;  // by bone, the other and its intervals
 };
 
 }  // namespace posepack::fit

@@ -14,7 +14,6 @@ namespace {
 constexpr std::uint32_t kMostSlotsAnInterval = 255;
 constexpr std::array<std::uint32_t, 7> kCuts = {2, 3, 4, 6, 8, 12, 16};
 constexpr std::uint32_t kSamplesOfALongInterval = 4;  // a key that are looked at
-constexpr std::size_t kOutermost = 6;
 constexpr double kEqualTimesS = 2e-6;
 
 // Tells whether straight lines between two samples stay near the tracks.
@@ -22,10 +21,11 @@ class Chords {
  public:
     Chords(const Tracks& tracks, const std::vector<BonePoints>& points, double limit, double reach)
         : tracks_(tracks),
+          points_(points),
           limit_square_(static_cast<float>(limit * limit)),
           scale_(static_cast<float>(1 / reach)) {
         for (std::size_t bone = 0; bone < points.size(); ++bone)
-            if (!points[bone].is_empty()) bones_.push_back({bone, outermost(points[bone])});
+            if (!points[bone].is_empty()) bones_.push_back(bone);
     }
 
     // Between samples `first` and `last`, every `step`-th sample between them looked at.
@@ -44,35 +44,21 @@ class Chords {
     }
 
  private:
-    struct Bone {
-        std::size_t index;
-        BonePoints points;
-    };
-
-    static BonePoints outermost(const BonePoints& all) {
-        const std::size_t first = all.x.size() > kOutermost ? all.x.size() - kOutermost : 0;
-        BonePoints out;
-        out.x.assign(all.x.begin() + static_cast<std::ptrdiff_t>(first), all.x.end());
-        out.y.assign(all.y.begin() + static_cast<std::ptrdiff_t>(first), all.y.end());
-        out.z.assign(all.z.begin() + static_cast<std::ptrdiff_t>(first), all.z.end());
-        out.weight.assign(all.weight.begin() + static_cast<std::ptrdiff_t>(first), all.weight.end());
-        return out;
-    }
-
-    bool is_near(const Bone& bone, std::size_t first, std::size_t toward, std::size_t k) const {
+    bool is_near(std::size_t bone, std::size_t first, std::size_t toward, std::size_t k) const {
         const std::size_t width = numbers_of(tracks_.form);
-        const std::span<const float> a = tracks_.numbers_at(bone.index, first);
-        const std::span<const float> b = tracks_.numbers_at(bone.index, toward);
+        const std::span<const float> a = tracks_.numbers_at(bone, first);
+        const std::span<const float> b = tracks_.numbers_at(bone, toward);
         const double factor = static_cast<double>(k - first) / static_cast<double>(toward - first);
         std::array<double, kAffineNumbers> blend{};
         for (std::size_t c = 0; c < width; ++c)
             blend[c] = static_cast<double>(a[c]) * (1.0 - factor) + static_cast<double>(b[c]) * factor;
-        return largest_square(tracks_, bone.index, k, blend.data(), bone.points, scale_) <= limit_square_;
+        return largest_square(tracks_, bone, k, blend.data(), points_[bone], scale_) <= limit_square_;
     }
 
     const Tracks& tracks_;
+    const std::vector<BonePoints>& points_;
     float limit_square_, scale_;
-    std::vector<Bone> bones_;
+    std::vector<std::size_t> bones_;
 };
 
 // Keys at which a channel jumps.

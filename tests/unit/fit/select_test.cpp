@@ -16,9 +16,9 @@ constexpr double kFloor = 1e-4;
 // One vertex a bone at the origin.
 std::vector<BonePoints> single_points(std::size_t bone_count) {
     BonePoints points;
-    points.x = points.y = points.z = {0.0f};
-    points.weight = {1.0f};
-    points.counted = 1;
+    points.x = points.y = points.z = std::vector<float>(kPointsAtOnce, 0.0f);
+    points.weight = {1.0f, 0.0f, 0.0f, 0.0f};
+    points.counted = kPointsAtOnce;
     points.share = 1.0;
     return std::vector<BonePoints>(bone_count, points);
 }
@@ -90,7 +90,7 @@ TEST(Profile, CountsWhatLiesAboveADistance) {
     Profile profile(1e-3);
     for (int i = 0; i < 1000; ++i) {
         const float distance = 1e-3f + 1e-5f * static_cast<float>(i);
-        profile.add(distance * distance, 2.0);
+        profile.count(distance * distance, 2.0);
     }
     EXPECT_NEAR(profile.count_above(6e-3), 1000.0, 40.0);
     EXPECT_NEAR(profile.count_above(1e-3), 2000.0, 40.0);

@@ -35,9 +35,9 @@ Tracks tracks_of(const std::function<double(double)>& x, std::uint32_t keys, std
 
 std::vector<BonePoints> points_of_two() {
     BonePoints points;
-    points.x = points.y = points.z = {0.0f};
-    points.weight = {1.0f};
-    points.counted = 1;
+    points.x = points.y = points.z = std::vector<float>(kPointsAtOnce, 0.0f);
+    points.weight = {1.0f, 0.0f, 0.0f, 0.0f};
+    points.counted = kPointsAtOnce;
     points.share = 1.0;
     return {points, points};
 }
