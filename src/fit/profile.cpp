@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::size_t kCountedPoints = 20;
 constexpr std::size_t kSamplesCompared = 5;
+constexpr std::size_t kManySamples = 8;  // an interval: half of them show as much
 // Bins of squares: the exponent of a float and two bits, four an octave of the square.
 constexpr int kBinShift = 21;
 
@@ -167,7 +168,9 @@ Profile profile_of(const Tracks& tracks, const Polyline& line, std::size_t bone,
     std::array<double, kAffineNumbers> numbers{};
     std::array<float, 12> found{};
     std::vector<float> squares(points.x.size());
-    for (std::size_t k = 0; k < tracks.known_count; ++k) {
+    const std::size_t every = line.interval_count * kManySamples <= tracks.interval_count ? 2 : 1;
+    const double share = points.share * static_cast<double>(every);
+    for (std::size_t k = 0; k < tracks.known_count; k += every) {
         blend_numbers(line, width, tracks.step, tracks.phase(k), numbers.data());
         write_matrix(tracks.form, numbers.data(), found.data());
         subtract(found, tracks.exact_at(bone, k));
@@ -181,10 +184,12 @@ Profile profile_of(const Tracks& tracks, const Polyline& line, std::size_t bone,
             sum += four;
             counted_here.add(four);
         }
-        profile.square_sum += points.share * (static_cast<double>(sum[0] + sum[1]) + (sum[2] + sum[3]));
+        profile.square_sum += share * (static_cast<double>(sum[0] + sum[1]) + (sum[2] + sum[3]));
         if (counted_here.value() > floor_square)
-            for (std::size_t i = 0; i < points.counted; ++i) profile.count(squares[i], points.share);
-        if (sample_errors != nullptr) sample_errors->push_back(std::sqrt(here.value()));
+            for (std::size_t i = 0; i < points.counted; ++i) profile.count(squares[i], share);
+        if (sample_errors != nullptr)
+            sample_errors->insert(sample_errors->end(), std::min(every, tracks.known_count - k),
+                                  std::sqrt(here.value()));
         profile.max = std::max(profile.max, std::sqrt(static_cast<double>(here.value())));
         if (profile.max > enough) break;
     }
