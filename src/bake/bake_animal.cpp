@@ -205,22 +205,24 @@ base::Status check_seam_gaps(const Animal& animal, const Palette& palette) {
 // for narrow bounds.
 base::Status choose_rows(const recipe::AnimalEntry& entry, const Animal& animal,
                          const motion::SkinSet& points, const std::vector<fit::Limits>& bounds,
-                         palette::RoundingAids& aids, Palette& palette, std::vector<Issue>& findings,
-                         std::vector<std::vector<choose::Attempt>>& attempts) {
+                         const choose::Means& means, palette::RoundingAids& aids, Palette& palette,
+                         std::vector<Issue>& findings, std::vector<std::vector<choose::Attempt>>& attempts) {
     if (entry.output.texel_format == recipe::TexelFormat::rgba32f)
-        return choose::choose_rows(animal, points, bounds, POSEPACK_TEXEL_RGBA32F, aids, palette, attempts);
+        return choose::choose_rows(animal, points, bounds, POSEPACK_TEXEL_RGBA32F, aids, palette, attempts,
+                                   means);
     auto halves =
-        choose::choose_rows(animal, points, bounds, POSEPACK_TEXEL_RGBA16F, aids, palette, attempts);
+        choose::choose_rows(animal, points, bounds, POSEPACK_TEXEL_RGBA16F, aids, palette, attempts, means);
     if (halves || halves.issue().code != IssueCode::lim_bound) return halves;
     auto floats =
-        choose::choose_rows(animal, points, bounds, POSEPACK_TEXEL_RGBA32F, aids, palette, attempts);
+        choose::choose_rows(animal, points, bounds, POSEPACK_TEXEL_RGBA32F, aids, palette, attempts, means);
     if (!floats) return floats.issue().code == IssueCode::lim_bound ? halves : floats;
     findings.push_back({IssueCode::warn_floats, halves.issue().where, halves.issue().detail});
     return {};
 }
 
 base::Result<Palette> make_palette(const recipe::AnimalEntry& entry, const Animal& animal,
-                                   const motion::SkinSet& points, std::vector<Issue>& findings,
+                                   const motion::SkinSet& points, const choose::Means& means,
+                                   std::vector<Issue>& findings,
                                    std::vector<std::vector<choose::Attempt>>& attempts) {
     auto choices = select_clips(animal, entry);
     if (!choices) return choices.issue();
@@ -246,7 +248,8 @@ base::Result<Palette> make_palette(const recipe::AnimalEntry& entry, const Anima
     aids.halves = palette.spaces.normalised ? palette::Halves::normal : palette::Halves::all;
     aids.moments = palette::bone_moments(points, palette.spaces, animal.bones.size(), palette.reach());
     if (entry.output.bound) {
-        if (auto status = choose_rows(entry, animal, points, bounds, aids, palette, findings, attempts);
+        if (auto status =
+                choose_rows(entry, animal, points, bounds, means, aids, palette, findings, attempts);
             !status)
             return status.issue();
         if (auto status = check_seam_gaps(animal, palette); !status) return status.issue();
@@ -306,7 +309,7 @@ base::Result<BakedAnimal> bake_animal(const recipe::AnimalEntry& entry, std::spa
     const motion::SkinSet points = motion::unique_points(animal.value());
     std::vector<Issue> remarks;
     std::vector<std::vector<choose::Attempt>> attempts;
-    auto palette = make_palette(entry, animal.value(), points, remarks, attempts);
+    auto palette = make_palette(entry, animal.value(), points, options.means, remarks, attempts);
     if (!palette) return base::at(entry.id, palette.issue());
     for (const Issue& remark : remarks) baked.findings.push_back(base::at(entry.id, remark));
 

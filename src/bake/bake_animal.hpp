@@ -10,6 +10,7 @@
 
 #include "base/files.hpp"
 #include "base/result.hpp"
+#include "choose/choose_rows.hpp"
 #include "measure/error_heat.hpp"
 #include "recipe/catalog.hpp"
 #include "recipe/manifest.hpp"
@@ -21,6 +22,7 @@ struct AnimalOptions {
     bool measure = true;             // measure the error of the written bytes
     bool compare_vat = false;        // add the VRAM of the other forms to the record
     bool allow_data_uris = false;    // read buffers that stand as base64 in the JSON
+    choose::Means means;             // where a bound chooses: all, but for measurements
     std::uint32_t heat_columns = 0;  // measure errors over time and bone too, in about so many bins of time
                                      // over all clips together; 0: not. Needs `measure`
 };

@@ -84,11 +84,9 @@ std::vector<Scheme> schemes_of(const recipe::AnimalEntry& entry,
     return schemes;
 }
 
-// Texels of the stored rows, without the fill of the last line and of pitches, and the table of runs.
+// Texels of the stored rows, without the fill of the last line and of pitches, and the tables of rows.
 std::uint64_t palette_bytes(const recipe::BakeRecord& record) {
-    const bool has_runs = record.row_scheme == "runs";
-    return record.texel_bytes +
-           (has_runs ? std::uint64_t{POSEPACK_RUN_BYTES} * record.bone_count * record.clips.size() : 0);
+    return record.texel_bytes + record.row_table_bytes;
 }
 
 // Runs cost what their form costs, and the run of each influence beside it.

@@ -134,11 +134,12 @@ double floor_of(const Limits& bound) {
 }  // namespace
 
 RowChooser::RowChooser(const animal::Animal& animal, const palette::Palette& palette,
-                       const palette::RoundingAids& aids, const motion::SkinSet& points)
+                       const palette::RoundingAids& aids, const motion::SkinSet& points, const Means& means)
     : animal_(animal),
       palette_(palette),
       aids_(aids),
       points_(points),
+      means_(means),
       bone_points_(fit::bone_points(points, palette.spaces, animal.bones.size())),
       boxes_(animal, palette.spaces),
       hemispheres_(animal.bones.size()) {}
@@ -310,7 +311,7 @@ base::Status RowChooser::try_runs(const fit::Tracks& tracks, fit::RowSelector& s
 
 // Rows at uneven times, where they take clearly fewer bytes than runs, or keep the bound where no runs do.
 base::Result<bool> RowChooser::try_slots(fit::Tracks& tracks, Contest& contest) const {
-    if (tracks.interval_count == 0 || tracks.step) return false;
+    if (!means_.slots || tracks.interval_count == 0 || tracks.step) return false;
     bool is_rough = false;
     const animal::Clip& source = animal_.clips[contest.clip.source];
     motion::ClipSampler sampler(animal_, source);
@@ -326,7 +327,7 @@ base::Result<bool> RowChooser::try_slots(fit::Tracks& tracks, Contest& contest) 
         is_rough = plan.is_rough;
         fit::bend(tracks, std::move(plan));
         fit::RowSelector selector(tracks, bone_points_, points_.size(), row_bytes(tracks.form),
-                                  palette_.reach(), floor_of(contest.bound), 1);
+                                  palette_.reach(), floor_of(contest.bound), 1, means_.rows);
         const auto selection = selector.select(contest.wanted);
         double share = kFarOff;
         if (selection) {
@@ -367,7 +368,7 @@ base::Result<ChosenRows> RowChooser::choose(std::uint32_t index, fit::Form form,
         fit::Tracks tracks = fit::sample_tracks(animal_, source, clip.plan, palette_.spaces, form,
                                                 fineness.samples_per_key, hemispheres_);
         fit::RowSelector selector(tracks, bone_points_, points_.size(), row_bytes(form), palette_.reach(),
-                                  floor_of(bound), fineness.rows_per_key);
+                                  floor_of(bound), fineness.rows_per_key, means_.rows);
         if (!contest.has_best())
             if (auto status = try_runs(tracks, selector, contest); !status) return status.issue();
         const auto rough = try_slots(tracks, contest);
@@ -395,15 +396,16 @@ base::Result<ChosenRows> RowChooser::choose(std::uint32_t index, fit::Form form,
 base::Status choose_rows(const animal::Animal& animal, const motion::SkinSet& points,
                          const std::vector<Limits>& bounds, std::uint8_t texel_format,
                          palette::RoundingAids& aids, palette::Palette& palette,
-                         std::vector<std::vector<Attempt>>& attempts) {
+                         std::vector<std::vector<Attempt>>& attempts, const Means& means) {
     std::vector<fit::Form> forms;
     double largest_change = 0.0;
     for (const PaletteClip& clip : palette.clips) {
         motion::ClipSampler sampler(animal, animal.clips[clip.source]);
         const palette::DualquatFit dualquats =
             palette::fit_dualquat(sampler, clip.plan, palette.spaces, aids.moments, palette.reach());
-        forms.push_back(dualquats.unfit ? fit::Form::affine : fit::Form::dualquat);
-        if (!dualquats.unfit) largest_change = std::max(largest_change, dualquats.largest_change);
+        const bool fits = means.dual_quaternions && !dualquats.unfit;
+        forms.push_back(fits ? fit::Form::dualquat : fit::Form::affine);
+        if (fits) largest_change = std::max(largest_change, dualquats.largest_change);
     }
     const bool any_dualquat = std::count(forms.begin(), forms.end(), fit::Form::dualquat) > 0;
     if (any_dualquat)
@@ -411,7 +413,7 @@ base::Status choose_rows(const animal::Animal& animal, const motion::SkinSet& po
     aids.dualquat_length = palette.dualquat_length;
     palette.layout.texel_format = texel_format;
 
-    RowChooser chooser(animal, palette, aids, points);
+    RowChooser chooser(animal, palette, aids, points, means);
     std::vector<ChosenRows> chosen;
     for (std::uint32_t c = 0; c < palette.clips.size(); ++c) {
         auto rows = chooser.choose(c, forms[c], bounds[c]);

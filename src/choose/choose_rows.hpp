@@ -27,6 +27,13 @@ struct Attempt {
     bool keeps_bound = false;
 };
 
+// What the chooser may use. All of it, but where the worth of each is measured.
+struct Means {
+    bool dual_quaternions = true;  // else every clip is matrices
+    bool slots = true;
+    fit::Means rows;
+};
+
 struct ChosenRows {
     palette::ClipRuns runs;
     palette::Box bounds;
@@ -40,7 +47,7 @@ class RowChooser {
     //   aids  for rounding, of the whole animal
     // All must outlive the chooser.
     RowChooser(const animal::Animal& animal, const palette::Palette& palette,
-               const palette::RoundingAids& aids, const motion::SkinSet& points);
+               const palette::RoundingAids& aids, const motion::SkinSet& points, const Means& means = {});
 
     // The rows of clip `index`, of dual quaternions or of matrices.
     // Errors: E-LIM-BOUND with the best that was reached, where, and what would reach it; those of
@@ -66,6 +73,7 @@ class RowChooser {
     const palette::Palette& palette_;
     const palette::RoundingAids& aids_;
     const motion::SkinSet& points_;
+    const Means means_;
     const motion::SkinSet no_normals_;
     std::vector<fit::BonePoints> bone_points_;
     palette::BoneBoxes boxes_;
@@ -82,6 +90,6 @@ class RowChooser {
 base::Status choose_rows(const animal::Animal& animal, const motion::SkinSet& points,
                          const std::vector<fit::Limits>& bounds, std::uint8_t texel_format,
                          palette::RoundingAids& aids, palette::Palette& palette,
-                         std::vector<std::vector<Attempt>>& attempts);
+                         std::vector<std::vector<Attempt>>& attempts, const Means& means = {});
 
 }  // namespace posepack::choose

@@ -197,6 +197,24 @@ Polyline fit_polyline(const Tracks& tracks, std::size_t bone, std::uint32_t inte
     return line;
 }
 
+Polyline sample_polyline(const Tracks& tracks, std::size_t bone, std::uint32_t interval_count) {
+    const std::size_t width = numbers_of(tracks.form);
+    Polyline line;
+    line.interval_count = tracks.interval_count == 0 ? 0 : interval_count;
+    std::size_t after = 0;  // the first sample at the row or behind it
+    for (std::uint32_t row = 0; row <= line.interval_count; ++row) {
+        const double phase = line.interval_count == 0 ? 0.0 : static_cast<double>(row) / line.interval_count;
+        while (after < tracks.interval_count && tracks.phase(after) < phase) ++after;
+        const std::size_t before = after == 0 ? 0 : after - 1;
+        const double span = tracks.phase(after) - tracks.phase(before);
+        const double factor = span > 0.0 ? (phase - tracks.phase(before)) / span : 0.0;
+        for (std::size_t c = 0; c < width; ++c)
+            line.rows.push_back(static_cast<double>(tracks.numbers_at(bone, before)[c]) * (1.0 - factor) +
+                                static_cast<double>(tracks.numbers_at(bone, after)[c]) * factor);
+    }
+    return line;
+}
+
 void blend_numbers(const Polyline& line, std::size_t width, bool step, double phase, double* numbers) {
     if (line.interval_count == 0) {
         std::copy_n(line.rows.begin(), width, numbers);

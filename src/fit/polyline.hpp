@@ -23,6 +23,9 @@ struct Polyline {
 Polyline fit_polyline(const Tracks& tracks, std::size_t bone, std::uint32_t interval_count,
                       std::span<const float> weights = {});
 
+// The polyline through the track's own numbers at the times of its rows.
+Polyline sample_polyline(const Tracks& tracks, std::size_t bone, std::uint32_t interval_count);
+
 // The numbers at a phase in [0, 1].
 void blend_numbers(const Polyline& line, std::size_t width, bool step, double phase, double* numbers);
 

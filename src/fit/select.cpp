@@ -48,13 +48,15 @@ std::vector<float> weights_of(const std::vector<float>& errors, double p999) {
 }  // namespace
 
 RowSelector::RowSelector(const Tracks& tracks, const std::vector<BonePoints>& points, std::size_t point_count,
-                         std::uint32_t row_bytes, double reach, double floor, std::uint32_t finest)
+                         std::uint32_t row_bytes, double reach, double floor, std::uint32_t finest,
+                         const Means& means)
     : tracks_(tracks),
       points_(points),
       places_(static_cast<double>(point_count) * tracks.known_count),
       row_bytes_(row_bytes),
       reach_(reach),
       floor_(floor),
+      means_(means),
       ladder_(make_ladder(tracks, finest)),
       candidates_(tracks.bone_count) {}
 
@@ -62,6 +64,11 @@ RowSelector::RowSelector(const Tracks& tracks, const std::vector<BonePoints>& po
 RowSelector::Candidate RowSelector::make_candidate(std::size_t bone, std::uint32_t intervals,
                                                    const Limits& limits) const {
     const double enough = kHopeless * limits.max;
+    if (!means_.least_squares) {
+        Polyline sampled = sample_polyline(tracks_, bone, intervals);
+        const Profile profile = profile_of(tracks_, sampled, bone, points_[bone], reach_, floor_, enough);
+        return {intervals, std::move(sampled), profile, profile.max <= enough};
+    }
     Polyline line = fit_polyline(tracks_, bone, intervals);
     std::vector<float> errors;
     Profile profile = profile_of(tracks_, line, bone, points_[bone], reach_, floor_, enough, &errors);
@@ -288,6 +295,18 @@ void RowSelector::spend_slack(const Limits& limits, Room& room, std::vector<Pick
     }
 }
 
+// Gives all bones that move as many rows as the one that has most.
+void RowSelector::level(const Limits& limits, std::vector<Pick>& picks) {
+    std::size_t most = 0;
+    for (const Pick& pick : picks) most = std::max(most, pick.candidate);
+    for (std::size_t bone = 0; bone < picks.size(); ++bone) {
+        if (picks[bone].candidate == 0) continue;
+        std::vector<Candidate>& known = candidates_[bone];
+        while (known.size() <= most) known.push_back(make_candidate(bone, ladder_[known.size()], limits));
+        picks[bone].candidate = most;
+    }
+}
+
 std::optional<Selection> RowSelector::select(const Limits& limits) {
     for (std::size_t bone = 0; bone < candidates_.size(); ++bone)
         if (candidates(bone, limits).back().profile.max > limits.max) return std::nullopt;
@@ -296,10 +315,11 @@ std::optional<Selection> RowSelector::select(const Limits& limits) {
     std::vector<Pick> picks(candidates_.size());
     for (std::size_t bone = 0; bone < picks.size(); ++bone)
         picks[bone].candidate = cheapest(bone, limits, *prices);
+    if (!means_.own_rows) level(limits, picks);
     Room room(limits, places_);
     for (std::size_t bone = 0; bone < picks.size(); ++bone) room.add(profile(bone, picks[bone]));
-    join_alike(limits, *prices, room, picks);
-    spend_slack(limits, room, picks);
+    if (means_.sharing) join_alike(limits, *prices, room, picks);
+    if (means_.own_rows) spend_slack(limits, room, picks);
     Selection out;
     out.expected = expected(picks);
     for (std::size_t bone = 0; bone < picks.size(); ++bone)

@@ -31,6 +31,13 @@ struct Selection {
     Limits expected;
 };
 
+// What the selector may use. All of it, but where the worth of each is measured.
+struct Means {
+    bool own_rows = true;       // else all moving bones have as many rows as the one that needs most
+    bool sharing = true;        // bones that move alike read one run
+    bool least_squares = true;  // else rows are samples of the motion
+};
+
 // Looks for rows under changing limits; what was fitted and measured is kept.
 class RowSelector {
  public:
@@ -39,7 +46,8 @@ class RowSelector {
     //   finest  rows at most so many times as many as the key grid's; the tracks hold twice as many samples.
     //           With slots a bone has their rows or none.
     RowSelector(const Tracks& tracks, const std::vector<BonePoints>& points, std::size_t point_count,
-                std::uint32_t row_bytes, double reach, double floor, std::uint32_t finest);
+                std::uint32_t row_bytes, double reach, double floor, std::uint32_t finest,
+                const Means& means = {});
 
     // The cheapest rows whose expected errors keep the limits. Nothing where the finest rows are not enough.
     std::optional<Selection> select(const Limits& limits);
@@ -64,6 +72,7 @@ class RowSelector {
         std::optional<Profile> shared;
         bool is_shared = false;  // others read its rows
     };
+    void level(const Limits& limits, std::vector<Pick>& picks);
     Candidate make_candidate(std::size_t bone, std::uint32_t intervals, const Limits& limits) const;
     const std::vector<Candidate>& candidates(std::size_t bone, const Limits& limits);
     const Profile& profile(std::size_t bone, const Pick& pick) const;
@@ -90,6 +99,7 @@ class RowSelector {
     double places_;  // (vertices x samples) of the clip
     std::uint32_t row_bytes_;
     double reach_, floor_;
+    Means means_;
     std::vector<std::uint32_t> ladder_;  // rising
     std::vector<std::vector<Candidate>> candidates_;
     std::map<std::array<std::uint32_t, 3>, Shared> shared_;  // by bone, the other and its intervals

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/text.hpp"
+#include "output/choice_text.hpp"
 #include "output/report_totals.hpp"
 #include "output/report_writers.hpp"
 
@@ -46,8 +47,21 @@ json row_json(const ReportRow& row) {
 json clip_json(const recipe::ClipRecord& clip) {
     json error = error_json(clip.error);
     error["worst"].erase("clip");
+    json tried = json::array();
+    for (const recipe::TryRecord& one : clip.tried)
+        tried.push_back({{"encoding", one.encoding},
+                         {"row_scheme", one.row_scheme},
+                         {"bytes", one.bytes},
+                         {"max", widened(one.max)},
+                         {"p999", widened(one.p999)},
+                         {"rms", widened(one.rms)},
+                         {"keeps_bound", one.keeps_bound}});
     return {{"name", base::printable(clip.name)},
+            {"encoding", clip.encoding},
+            {"row_scheme", clip.row_scheme},
             {"rows", clip.row_count},
+            {"why", choice_sentence(clip)},
+            {"tried", tried},
             {"rate_hz", widened(clip.rate_hz)},
             {"period_s", widened(clip.period_s)},
             {"error", error}};

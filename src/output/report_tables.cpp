@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "output/choice_text.hpp"
 #include "output/html_text.hpp"
 #include "output/log_axis.hpp"
 #include "output/text_table.hpp"
@@ -138,6 +139,7 @@ std::string overview_table(const Report& report) {
 
 std::string clips_table(const AnimalReport& animal) {
     HtmlTable table({{"clip", Align::left},
+                     {"form", Align::left},
                      {"rows"},
                      {"rate, Hz"},
                      {"period, s"},
@@ -148,14 +150,16 @@ std::string clips_table(const AnimalReport& animal) {
                      {"max mm"},
                      {"normal max \u00b0"},
                      {"worst at, s"},
-                     {"bone", Align::left}});
+                     {"bone", Align::left},
+                     {"why", Align::left}});
     for (const recipe::ClipRecord& clip : animal.clips)
-        table.add({html_text(clip.name, 48), std::to_string(clip.row_count),
-                   three_digits(base::widened(clip.rate_hz)), three_digits(base::widened(clip.period_s)),
-                   html_text(clip.wrap), short_error(clip.error.max), short_error(clip.error.p999),
-                   short_error(clip.error.rms), millimetres(clip.error.max_m),
-                   three_digits(base::widened(clip.error.normal_max_deg)),
-                   fmt::format("{:.2f}", clip.error.time_s), html_text(clip.error.bone, 48)});
+        table.add({html_text(clip.name, 48), html_text(clip.encoding + ", " + clip.row_scheme),
+                   std::to_string(clip.row_count), three_digits(base::widened(clip.rate_hz)),
+                   three_digits(base::widened(clip.period_s)), html_text(clip.wrap),
+                   short_error(clip.error.max), short_error(clip.error.p999), short_error(clip.error.rms),
+                   millimetres(clip.error.max_m), three_digits(base::widened(clip.error.normal_max_deg)),
+                   fmt::format("{:.2f}", clip.error.time_s), html_text(clip.error.bone, 48),
+                   html_text(choice_sentence(clip))});
     return table.finish();
 }
 

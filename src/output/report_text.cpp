@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "output/choice_text.hpp"
 #include "output/report_totals.hpp"
 #include "output/report_writers.hpp"
 #include "output/text_table.hpp"
@@ -71,6 +72,19 @@ TextTable totals_table(const Report& report) {
     return table;
 }
 
+// Why each clip is as it is, where a bound chose.
+std::string choices_text(const Report& report) {
+    TextTable table;
+    table.columns = {
+        {"animal", Align::left}, {"clip", Align::left}, {"max / R"}, {"p99.9 / R"}, {"why", Align::left}};
+    for (const AnimalReport& animal : report.animals)
+        for (const recipe::ClipRecord& clip : animal.clips)
+            if (!clip.tried.empty())
+                table.rows.push_back({animal.id, base::printable(clip.name), readable_error(clip.error.max),
+                                      readable_error(clip.error.p999), choice_sentence(clip)});
+    return table.rows.empty() ? "" : "\nChosen by the bound:\n\n" + format_text(table);
+}
+
 // A float as JSON has it: the shortest text that reads back as the same.
 std::string exact(float value) {
     return base::shortest(value);
@@ -79,7 +93,8 @@ std::string exact(float value) {
 }  // namespace
 
 std::string report_text(const Report& report) {
-    return format_text(rows_table(report)) + "\nAll animals:\n\n" + format_text(totals_table(report));
+    return format_text(rows_table(report)) + "\nAll animals:\n\n" + format_text(totals_table(report)) +
+           choices_text(report);
 }
 
 std::string report_csv(const Report& report) {
