@@ -119,5 +119,27 @@ TEST(Polyline, WeightsPullItTowardsWhatWeighs) {
     EXPECT_LT(std::abs(pulled[3] - exact), 0.1 * std::abs(plain[3] - exact));
 }
 
+TEST(SamplePolyline, GoesThroughTheTrackAtItsRows) {
+    const Tracks tracks = wave_tracks({1.0}, 12, false);
+    const Polyline line = sample_polyline(tracks, 0, 5);
+    ASSERT_EQ(line.interval_count, 5u);
+    double numbers[kAffineNumbers];
+    for (std::uint32_t row = 0; row <= 5; ++row) {
+        blend_numbers(line, kAffineNumbers, false, row / 5.0, numbers);
+        EXPECT_NEAR(numbers[3], 0.3 * std::sin(kTurn * row / 5.0), 2e-3) << row;
+    }
+    // Least squares lie nearer to it on the whole.
+    const auto square_sum = [&](const Polyline& of) {
+        double sum = 0.0;
+        for (std::size_t k = 0; k < tracks.sample_count(); ++k) {
+            blend_numbers(of, kAffineNumbers, false, tracks.phase(k), numbers);
+            const double off = numbers[3] - static_cast<double>(tracks.numbers_at(0, k)[3]);
+            sum += off * off;
+        }
+        return sum;
+    };
+    EXPECT_LT(square_sum(fit_polyline(tracks, 0, 5)), 0.5 * square_sum(line));
+}
+
 }  // namespace
 }  // namespace posepack::fit

@@ -86,6 +86,21 @@ TEST(RowSelector, SaysWhenNothingIsFineEnough) {
     EXPECT_FALSE(case_of({30.0}).select({1e-3, 1e-3, HUGE_VAL}));
 }
 
+TEST(RowSelector, WithoutAMeansTakesMoreRows) {
+    const Limits limits{5e-3, 5e-3, HUGE_VAL};
+    const auto rows_with = [&](const Means& means) {
+        Case of = case_of({0.0, 1.0, 3.0, 3.0});
+        RowSelector selector(of.tracks, of.points, of.points.size(), 24, 1.0, kFloor, 4, means);
+        const auto selection = selector.select(limits);
+        EXPECT_TRUE(selection);
+        return selection ? rows_of(*selection) : 0u;
+    };
+    const std::uint32_t with_all = rows_with({});
+    EXPECT_GT(rows_with({.own_rows = false}), with_all);
+    EXPECT_GT(rows_with({.sharing = false}), with_all);
+    EXPECT_GT(rows_with({.least_squares = false}), with_all);
+}
+
 TEST(Profile, CountsWhatLiesAboveADistance) {
     Profile profile(1e-3);
     for (int i = 0; i < 1000; ++i) {
