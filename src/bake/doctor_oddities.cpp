@@ -78,7 +78,7 @@ void look_at_skins(const Animal& animal, const animal::FileFacts& facts, Diagnos
     if (bones > 0)
         add(diagnosis, "unused-bones",
             "{} move no vertex (control or helper bones); they stay in the palette and cost memory, unless "
-            "--unused-bones drop leaves them out.",
+            "--max-error or --unused-bones drop leaves them out.",
             counted(bones, "bone"));
 }
 
