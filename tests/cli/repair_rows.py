@@ -191,7 +191,7 @@ def _unused_bones(case):
     document.json["skins"][0].pop("inverseBindMatrices")
     catalog = case.write_animal(document.glb())
     text = case.run("doctor", "models/deer.glb", writes=()).stdout
-    case.contains(text, "1 bones move no vertex: Pole", "doctor")
+    case.contains(text, "1 bone moves no vertex: Pole", "doctor")
     case.expect_ok(case.bake(catalog))
     case.contains(case.run("inspect", "out/deer.posepack", writes=()).stdout,
                   "unused    1 bone without a vertex: Pole", "inspect")
