@@ -31,6 +31,13 @@ bool is_beyond_2_0(std::string_view version) {
     return major.size() > 1 || major > "2" || (major == "2" && !minor.empty() && minor != "0");
 }
 
+// A file that names no minVersion is for readers of its own major version. What is no number is another
+// fault.
+bool is_of_another_major(std::string_view version) {
+    const std::string_view major = version.substr(0, std::min(version.find('.'), version.size()));
+    return !major.empty() && major != "2" && major.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
 }  // namespace
 
 void GltfRules::key(std::string_view name, std::size_t depth) {
@@ -47,7 +54,9 @@ void GltfRules::key(std::string_view name, std::size_t depth) {
         const auto* const list = std::find(kNodeLists.begin(), kNodeLists.end(), name);
         node_list_ = list == kNodeLists.end() ? std::string_view{} : *list;
     } else if (section_ == Section::asset && depth == 2) {
-        is_min_version_ = name == "minVersion";
+        version_ = name == "minVersion" ? &GltfRules::min_version_
+                   : name == "version"  ? &GltfRules::own_version_
+                                        : nullptr;
     } else if (section_ == Section::animations) {
         // animations/A/channels/C/target/node, and target/extensions/KHR_animation_pointer/pointer
         has_target_ = has_target_ || (depth == 6 && name == "node") || (depth == 8 && name == "pointer");
@@ -56,7 +65,7 @@ void GltfRules::key(std::string_view name, std::size_t depth) {
 
 void GltfRules::text(std::string_view value, std::size_t depth) {
     scalar(depth);
-    if (section_ == Section::asset && depth == 2 && is_min_version_) min_version_ = value;
+    if (section_ == Section::asset && depth == 2 && version_ != nullptr) this->*version_ = value;
 }
 
 void GltfRules::number(double value, std::size_t depth) {
@@ -83,6 +92,10 @@ base::Status GltfRules::status() const {
         return Issue{IssueCode::glb_version, "asset/minVersion",
                      fmt::format("expected a file for readers of glTF 2.0, found one for {}",
                                  base::printable(base::shortened(min_version_, 64)))};
+    if (min_version_.empty() && is_of_another_major(own_version_))
+        return Issue{IssueCode::glb_version, "asset/version",
+                     fmt::format("expected glTF 2.0, found version {}",
+                                 base::printable(base::shortened(own_version_, 64)))};
     if (!too_many_.empty())
         return Issue{IssueCode::lim_count, base::printable(base::shortened(too_many_, 64)),
                      fmt::format("expected at most {} items in a list and {} objects in the file, found more",

@@ -21,8 +21,9 @@ class GltfRules {
     void truth(std::size_t depth) { scalar(depth); }
     void open(std::size_t depth, bool is_array);
 
-    // Errors: E-GLB-VERSION (asset.minVersion beyond 2.0), E-LIM-COUNT (more than 65,536 items in a list of
-    // the root, or 131,072 objects), E-GLB-SCHEMA (a node's list is no list, or a child no whole number).
+    // Errors: E-GLB-VERSION (asset.minVersion beyond 2.0, or none and a version that is not 2), E-LIM-COUNT
+    // (more than 65,536 items in a list of the root, or 131,072 objects), E-GLB-SCHEMA (a node's list is no
+    // list, or a child no whole number).
     base::Status status() const;
 
     // Whether there is too much already: what follows need not be kept.
@@ -37,10 +38,10 @@ class GltfRules {
     void scalar(std::size_t depth);
 
     Section section_ = Section::other;
-    std::string section_name_, too_many_, wrong_type_, min_version_;
+    std::string section_name_, too_many_, wrong_type_, min_version_, own_version_;
+    std::string GltfRules::*version_ = nullptr;  // of the two, where the next text of the asset goes
     std::string_view node_list_;  // the key of a node that stands at depth 3, where it wants a list
     std::size_t object_count_ = 0, item_count_ = 0;
-    bool is_min_version_ = false;
     bool has_target_ = false;
 };
 

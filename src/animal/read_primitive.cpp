@@ -3,10 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
 #include <optional>
 #include <string>
 #include <string_view>
+
+#include "base/text.hpp"
 
 namespace posepack::animal {
 namespace {
@@ -130,12 +133,30 @@ class PrimitiveReader {
         out_.weights.assign(out_.positions.size(), 1.0f);
     }
 
+    // Sets beyond the last that is read, behind a gap, or of weights alone. What leaving them out costs is
+    // not known, so it is said.
+    base::Status report_unread_sets(std::size_t sets) {
+        const auto is_read = [&](std::string_view name) {
+            const auto is_name = [&](std::string_view known) { return known == name; };
+            return std::any_of(kJoints.begin(), kJoints.begin() + sets, is_name) ||
+                   std::any_of(kWeights.begin(), kWeights.begin() + sets, is_name);
+        };
+        std::string unread;
+        for (const auto& [name, accessor] : source_.attributes)
+            if ((name.starts_with("JOINTS_") || name.starts_with("WEIGHTS_")) && !is_read(name))
+                unread += fmt::format("{}{}", unread.empty() ? "" : ", ", base::printable(name));
+        if (unread.empty()) return {};
+        return context_.repair(
+            IssueCode::warn_left_out, IssueCode::glb_weights, place({}).text(),
+            fmt::format("expected at most {} influences a vertex, in sets of joints and weights without a "
+                        "gap, found more that are not read: {}",
+                        kMaxInfluenceSets * 4, base::shortened(unread, 64)));
+    }
+
     base::Status read_influences() {
         std::size_t sets = 1;
         while (sets < kMaxInfluenceSets && accessor_of(source_, kJoints[sets]) >= 0) ++sets;
-        if (accessor_of(source_, "JOINTS_4") >= 0)
-            context_.note(IssueCode::warn_left_out, place({}).text(),
-                          fmt::format("influences beyond {}: not read", kMaxInfluenceSets * 4));
+        if (auto status = report_unread_sets(sets); !status) return status;
         out_.influences = sets * 4;
         out_.bones.resize(out_.positions.size() * out_.influences);
         out_.weights.resize(out_.positions.size() * out_.influences);
@@ -149,6 +170,9 @@ class PrimitiveReader {
             accessor_of(source_, kJoints[set]),
             use_of(kJoints[set], ElementType::vec4, {kUnsignedByte, kUnsignedShort}));
         if (!joints) return joints.issue();
+        if (accessor_of(source_, kWeights[set]) < 0)
+            return Issue{IssueCode::glb_reference, place({}).text(),
+                         fmt::format("expected {} beside {}, found none", kWeights[set], kJoints[set])};
         const auto weights = context_.accessors.read_floats(
             accessor_of(source_, kWeights[set]),
             use_of(kWeights[set], ElementType::vec4, {kFloat, kUnsignedByte, kUnsignedShort}, true));

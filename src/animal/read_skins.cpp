@@ -67,8 +67,10 @@ base::Result<SkinBones> read_skin(ReadContext& context, int index, SkinBinder& b
     }
     const auto bound = binder.bind(nodes, inverse_binds.value());
     if (!bound)
-        return Issue{IssueCode::lim_bones, where,
-                     fmt::format("expected at most {} bones together, found more", kMaxBones)};
+        return Issue{
+            IssueCode::lim_bones, where,
+            fmt::format("expected at most {} bones together, found more with the {} joints of this skin",
+                        kMaxBones, nodes.size())};
     const SkinBones bones{static_cast<std::uint32_t>(animal.joint_map.size()),
                           static_cast<std::uint32_t>(nodes.size()), bound->fold};
     animal.joint_map.insert(animal.joint_map.end(), bound->bones.begin(), bound->bones.end());

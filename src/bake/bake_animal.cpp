@@ -303,7 +303,7 @@ base::Result<BakedAnimal> bake_animal(const recipe::AnimalEntry& entry, std::spa
     const base::Sha256 glb_digest = base::sha256(glb);
     auto animal = animal::read_animal(glb, read_options(entry, options));
     if (!animal) return base::at(entry.model, animal.issue());
-    if (entry.output.unused_bones == recipe::UnusedBones::drop) animal::drop_unused_bones(animal.value());
+    if (entry.output.drops_unused_bones()) animal::drop_unused_bones(animal.value());
     for (const Issue& finding : animal.value().findings)
         baked.findings.push_back(base::at(entry.model, finding));
     const motion::SkinSet points = motion::unique_points(animal.value());

@@ -77,8 +77,8 @@ void look_at_skins(const Animal& animal, const animal::FileFacts& facts, Diagnos
     const auto bones = diagnosis.skeleton->unused_bones.size();
     if (bones > 0)
         add(diagnosis, "unused-bones",
-            "{} move no vertex (control or helper bones); they stay in the palette and cost memory, unless "
-            "--unused-bones drop leaves them out.",
+            "{} without a vertex (control and helper bones have none): part of the palette, which costs "
+            "memory, unless --max-error or --unused-bones drop leaves such bones out.",
             counted(bones, "bone"));
 }
 

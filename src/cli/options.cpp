@@ -123,8 +123,9 @@ void add_output_options(CLI::App& app, const std::shared_ptr<bake::CatalogSource
            "Joints a vertex keeps, the largest weights: 4, 8 (default: 4)")
         ->group("Output")
         ->type_name("N");
-    add_choice(app, "--unused-bones", "Bones that move no vertex", source,
-               &recipe::OutputOverrides::unused_bones, {UnusedBones::keep, UnusedBones::drop});
+    add_choice(app, "--unused-bones", "Bones that move no vertex (auto: drop under a bound)", source,
+               &recipe::OutputOverrides::unused_bones,
+               {UnusedBones::automatic, UnusedBones::keep, UnusedBones::drop});
     app.add_option("--rate", source->rate_hz,
                    "Rows a second for every clip (default: each clip's own key grid)")
         ->check(number_between(1.0, 1000.0))

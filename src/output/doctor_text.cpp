@@ -99,9 +99,10 @@ void write_skeleton(std::string& out, const Diagnosis& diagnosis) {
                      "in a chain; {} vertices",
                      skeleton.bone_count, skeleton.longest_chain, base::grouped(diagnosis.vertex_count)));
     if (!skeleton.unused_bones.empty())
-        line(out, "unused",
-             fmt::format("{} bones move no vertex: {}", skeleton.unused_bones.size(),
-                         listed(skeleton.unused_bones)));
+        line(
+            out, "unused",
+            fmt::format("{} {} no vertex: {}", base::counted(skeleton.unused_bones.size(), "bone"),
+                        skeleton.unused_bones.size() == 1 ? "moves" : "move", listed(skeleton.unused_bones)));
     line(out, "size",
          fmt::format("{:.4g} x {:.4g} x {:.4g} m as it rests, if a unit is a metre", diagnosis.extent_m[0],
                      diagnosis.extent_m[1], diagnosis.extent_m[2]));

@@ -251,7 +251,7 @@ std::string canonical(const AnimalEntry& animal) {
                       {"space", animal.output.is_normalised() ? "normalised" : "model"},
                       {"texel_format", name_of(animal.output.texel_format)},
                       {"texel_order", name_of(animal.output.texel_order)},
-                      {"unused_bones", name_of(animal.output.unused_bones)}};
+                      {"unused_bones", animal.output.drops_unused_bones() ? "drop" : "keep"}};
     const Json entry{{"clips", std::move(clips)},
                      {"default_state", animal.default_state},
                      {"forward", name_of(animal.forward)},

@@ -25,8 +25,8 @@ enum class Space { automatic, model, normalised };  // of the rows; automatic: m
 enum class TexelFormat { rgba16f, rgba32f };
 enum class TexelOrder { bone_major, planar };
 enum class RowPitch { tight, align256 };
-enum class UnusedBones { keep, drop };  // bones that move no vertex
-enum class Caps { webgl2, desktop };    // largest texture side: 4096, 16384 texels
+enum class UnusedBones { automatic, keep, drop };  // bones that move no vertex; automatic: drop under a bound
+enum class Caps { webgl2, desktop };               // largest texture side: 4096, 16384 texels
 enum class Wrap { automatic, loop, once, ping_pong };
 enum class Seam { automatic, closed, open };
 enum class ForwardAxis { plus_z, minus_z, plus_x, minus_x };
@@ -41,12 +41,15 @@ struct OutputOptions {
     Caps caps = Caps::webgl2;
     Space space = Space::automatic;
     std::uint32_t influences = 4;  // that a vertex keeps: 4 or 8
-    UnusedBones unused_bones = UnusedBones::keep;
+    UnusedBones unused_bones = UnusedBones::automatic;
     std::optional<ErrorBound> bound{};  // form and rows are chosen by it; `encoding` then says nothing
 
     bool is_normalised() const {
         return space == Space::normalised ||
                (space == Space::automatic && (bound || encoding != Encoding::mat4));
+    }
+    bool drops_unused_bones() const {
+        return unused_bones == UnusedBones::drop || (unused_bones == UnusedBones::automatic && bound);
     }
 };
 

@@ -12,7 +12,7 @@ constexpr std::array<std::string_view, 2> kTexelOrders{"bone-major", "planar"};
 constexpr std::array<std::string_view, 2> kRowPitches{"tight", "align256"};
 constexpr std::array<std::string_view, 2> kCaps{"webgl2", "desktop"};
 constexpr std::array<std::string_view, 3> kSpaces{"auto", "model", "normalised"};
-constexpr std::array<std::string_view, 2> kUnusedBones{"keep", "drop"};
+constexpr std::array<std::string_view, 3> kUnusedBones{"auto", "keep", "drop"};
 constexpr std::array<std::string_view, 4> kWraps{"auto", "loop", "once", "ping-pong"};
 constexpr std::array<std::string_view, 3> kSeams{"auto", "closed", "open"};
 constexpr std::array<std::string_view, 4> kForwardAxes{"+z", "-z", "+x", "-x"};

@@ -183,7 +183,7 @@ def _influences_left_out(case):
 
 
 def _unused_bones(case):
-    """Named by doctor and inspect, kept unless asked; the joint map says which joints have none."""
+    """Named by doctor and inspect, kept unless asked or a bound chooses; the joint map says which joints have none."""
     document = glb.tiny_animal()
     document.json["nodes"].append({"name": "Pole"})
     document.json["nodes"][1]["children"].append(len(document.json["nodes"]) - 1)
@@ -191,7 +191,7 @@ def _unused_bones(case):
     document.json["skins"][0].pop("inverseBindMatrices")
     catalog = case.write_animal(document.glb())
     text = case.run("doctor", "models/deer.glb", writes=()).stdout
-    case.contains(text, "1 bones move no vertex: Pole", "doctor")
+    case.contains(text, "1 bone moves no vertex: Pole", "doctor")
     case.expect_ok(case.bake(catalog))
     case.contains(case.run("inspect", "out/deer.posepack", writes=()).stdout,
                   "unused    1 bone without a vertex: Pole", "inspect")
@@ -202,6 +202,11 @@ def _unused_bones(case):
     case.equal(shown["space"]["meshes"][0]["bone_of_joint"], [0, 1, 2, None], "joint map")
     case.equal(shown["bone_count"], 3, "bones")
     case.expect_ok(case.run("verify", "--strict", "dropped"))
+    bounded = ("--max-error", "default")
+    case.expect_ok(case.bake(catalog, *bounded, output="chosen", measure=True))
+    case.equal(case.manifest("chosen")["records"][0]["bone_count"], 3, "bones under a bound")
+    case.expect_ok(case.bake(catalog, *bounded, "--unused-bones", "keep", output="kept", measure=True))
+    case.equal(case.manifest("kept")["records"][0]["bone_count"], 4, "bones under a bound that keeps them")
 
 
 def _one_point(case):

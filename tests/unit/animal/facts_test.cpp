@@ -26,6 +26,9 @@ TEST(Facts, RefusalsByNamedRules) {
         {R"({"extensionsRequired":["EXT_of_nobody"]})", IssueCode::glb_extension},
         {R"({"asset":{"version":"2.0","minVersion":"2.1"}})", IssueCode::glb_version},
         {R"({"asset":{"version":"2.0","minVersion":"10.0"}})", IssueCode::glb_version},
+        {R"({"asset":{"version":"3.0"}})", IssueCode::glb_version},
+        {R"({"asset":{"version":"1.0","generator":"2.0"}})", IssueCode::glb_version},
+        {R"({"asset":{"version":"20"}})", IssueCode::glb_version},
         {R"({"nodes":[{"scale":"big"}]})", IssueCode::glb_schema},
         {R"({"nodes":[{"rotation":1}]})", IssueCode::glb_schema},
         {R"({"nodes":[{"children":[0.5]}]})", IssueCode::glb_schema},
@@ -43,6 +46,9 @@ TEST(Facts, WhatLiesOnALimitPasses) {
     for (const std::string& json :
          {R"({"nodes":[)" + repeated("{}", 65'536) + "]}",
           R"({"animations":[{"channels":[)" + repeated("{}", 131'070) + "]}]}",
+          std::string(R"({"asset":{"version":"2.7"}})"), std::string(R"({"asset":{"version":"two"}})"),
+          std::string(R"({"asset":{"version":"3.0","minVersion":"2.0"}})"),
+          std::string(R"({"asset":{"extras":{"version":"9.0"}},"extras":{"version":"9.0"}})"),
           std::string(R"({"asset":{"minVersion":"2.0"},"nodes":[{"children":[1.0]}]})")})
         EXPECT_TRUE(read_gltf_facts(json, false)) << json.substr(0, 80);
 }

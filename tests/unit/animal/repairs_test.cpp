@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "animal/read_animal.hpp"
 #include "support/sample_models.hpp"
@@ -107,6 +108,66 @@ TEST(Repairs, WhatThePaletteCannotMoveIsNamed) {
     EXPECT_EQ(says("1 rigid mesh that nothing moves: not in the palette (Saddle)"), 1);
     EXPECT_EQ(says("'Rig|Wag' blends morph targets of 'Skin'"), 1) << "the clip and the mesh";
     EXPECT_EQ(animal.clips[0].channels.size(), 2u);
+}
+
+// Sets `first` and on, each with a quarter of the weight of every vertex on joint 1, the first set with what
+// is left.
+void add_sets(GlbBuilder& glb, int first, int count) {
+    auto& attributes = glb.document["meshes"][0]["primitives"][0]["attributes"];
+    for (int set = first; set < first + count; ++set) {
+        std::vector<std::uint16_t> joints(12 * 4, 0);
+        std::vector<float> weights(12 * 4, 0.0f);
+        for (std::size_t v = 0; v < 12; ++v) joints[v * 4] = 1, weights[v * 4] = 0.25f;
+        attributes["JOINTS_" + std::to_string(set)] = glb.add_values(joints, "VEC4");
+        attributes["WEIGHTS_" + std::to_string(set)] = glb.add_values(weights, "VEC4");
+    }
+}
+
+TEST(Repairs, SetsOfInfluencesThatAreNotReadAreNamed) {
+    struct Case {
+        int first, count;
+        const char* unread;  // nothing: all sets are read
+    };
+    for (const Case& c : {Case{1, 2, nullptr},
+                          {1, 3, nullptr},
+                          {1, 4, ": JOINTS_4, WEIGHTS_4"},
+                          {1, 5, ": JOINTS_4, JOINTS_5, WEIGHTS_4, WEIGHTS_5"},
+                          {2, 1, ": JOINTS_2, WEIGHTS_2"}}) {
+        GlbBuilder glb = good();
+        add_sets(glb, c.first, c.count);
+        const Animal animal = mended(glb);
+        const auto left_out = std::count_if(
+            animal.findings.begin(), animal.findings.end(),
+            [](const base::Issue& finding) { return finding.code == IssueCode::warn_left_out; });
+        EXPECT_EQ(left_out, c.unread == nullptr ? 0 : 1) << c.first << " " << c.count;
+        if (c.unread == nullptr) continue;
+        const base::Issue finding = only_finding(animal, IssueCode::warn_left_out);
+        EXPECT_EQ(finding.where, "meshes/0/primitives/0");
+        EXPECT_TRUE(finding.detail.ends_with(c.unread)) << finding.detail;
+        const auto strict = read_animal(glb.build(), {true});
+        ASSERT_FALSE(strict);
+        EXPECT_EQ(strict.issue().code, IssueCode::glb_weights);
+    }
+}
+
+// Twelve and sixteen influences count with all their weight: three quarters of it lie on joint 1 here.
+TEST(Repairs, UpToSixteenInfluencesAreRead) {
+    for (const int sets : {3, 4}) {
+        GlbBuilder glb = good();
+        for (std::size_t i = 0; i < 12 * 4; ++i) glb.set(glb.attribute(0, "WEIGHTS_0"), i, 0.0f);
+        for (std::size_t v = 0; v < 12; ++v) {
+            glb.set(glb.attribute(0, "JOINTS_0"), v * 4, std::uint16_t{0});
+            glb.set(glb.attribute(0, "WEIGHTS_0"), v * 4, 1.0f - 0.25f * static_cast<float>(sets - 1));
+        }
+        add_sets(glb, 1, sets - 1);
+        const Animal animal = mended(glb);
+        EXPECT_TRUE(animal.findings.empty());
+        const std::uint16_t bone = animal.joint_map[1];
+        float weight = 0.0f;
+        for (std::size_t i = 0; i < kMaxInfluences; ++i)
+            if (animal.vertices.bones[0][i] == bone) weight += animal.vertices.weights[0][i];
+        EXPECT_FLOAT_EQ(weight, 0.25f * static_cast<float>(sets - 1)) << sets;
+    }
 }
 
 TEST(Repairs, APrimitiveWithoutJointsIsLeftOut) {

@@ -105,6 +105,25 @@ TEST(UnusedBones, AreKeptUnlessAsked) {
     EXPECT_EQ(dropped.record.reduction.max, kept.record.reduction.max);
 }
 
+// Where a bound chooses the form, a bone that moves nothing is not part of it, unless somebody wants it.
+TEST(UnusedBones, AreLeftOutUnderABound) {
+    recipe::OutputOptions output;
+    output.bound = recipe::ErrorBound{{2e-2}, recipe::ErrorLimit{5e-3}, {}};
+    const BakedAnimal chosen = bake(five_influences(), output);
+    EXPECT_EQ(chosen.record.bone_count, 5u);
+    EXPECT_LE(chosen.record.error.max, 2e-2f);
+    posepack_view view;
+    ASSERT_EQ(posepack_open(&view, chosen.container.data(), chosen.container.size()), POSEPACK_OK);
+    std::uint32_t bone = 0;
+    EXPECT_EQ(posepack_map_joint(&view, 0, 5, &bone), POSEPACK_ERROR_NOT_FOUND);
+    output.unused_bones = recipe::UnusedBones::keep;
+    const BakedAnimal kept = bake(five_influences(), output);
+    EXPECT_EQ(kept.record.bone_count, 6u);
+    ASSERT_EQ(posepack_open(&view, kept.container.data(), kept.container.size()), POSEPACK_OK);
+    EXPECT_EQ(posepack_map_joint(&view, 0, 5, &bone), POSEPACK_OK);
+    EXPECT_EQ(bone, 5u);
+}
+
 // Nothing that is drawn changes: the matrices of the bones that are left, by name.
 TEST(UnusedBones, LeaveTheOthersAsTheyAre) {
     support::ModelSpec spec = support::tail();

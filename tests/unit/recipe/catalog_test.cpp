@@ -149,6 +149,46 @@ TEST(ReadCatalog, LetsTheCommandLineWin) {
     }
 }
 
+// A bound chooses the form, and leaves out what moves nothing; whoever says otherwise wins.
+TEST(ReadCatalog, ABoundLeavesUnusedBonesOutUnlessTold) {
+    struct Case {
+        const char* output;
+        std::optional<UnusedBones> asked;  // on the command line
+        bool drops;
+    };
+    const Case cases[] = {
+        {R"({})", {}, false},
+        {R"({"max_error":0.02})", {}, true},
+        {R"({"max_error":0.02,"unused_bones":"auto"})", {}, true},
+        {R"({"max_error":0.02,"unused_bones":"keep"})", {}, false},
+        {R"({"max_error":0.02})", UnusedBones::keep, false},
+        {R"({"max_error":0.02,"unused_bones":"keep"})", UnusedBones::automatic, true},
+        {R"({"max_error":0.02,"unused_bones":"keep"})", UnusedBones::drop, true},
+        {R"({"unused_bones":"drop"})", {}, true},
+        {R"({"unused_bones":"drop"})", UnusedBones::automatic, false},
+    };
+    for (const Case& c : cases) {
+        OutputOverrides overrides;
+        overrides.unused_bones = c.asked;
+        const std::string text = std::string(R"({"schema":1,"animals":{"deer":{"model":"d.glb","output":)")
+                                     .append(c.output)
+                                     .append("}}}");
+        const AnimalEntry deer = read(text, overrides).animals[0];
+        EXPECT_EQ(deer.output.drops_unused_bones(), c.drops) << text;
+        const char* named = c.drops ? R"("unused_bones":"drop")" : R"("unused_bones":"keep")";
+        EXPECT_NE(deer.canonical_json.find(named), std::string::npos) << deer.canonical_json;
+    }
+    // The bound of the command line counts like one of the catalog, and so does its end.
+    OutputOverrides bounded;
+    bounded.bound = parse_error_bound("default");
+    EXPECT_TRUE(read(kSmall, bounded).animals[0].output.drops_unused_bones());
+    OutputOverrides fixed;
+    fixed.encoding = Encoding::affine;
+    const auto unbounded =
+        read(R"({"schema":1,"animals":{"deer":{"model":"d.glb","output":{"max_error":0.02}}}})", fixed);
+    EXPECT_FALSE(unbounded.animals[0].output.drops_unused_bones());
+}
+
 TEST(CanonicalJson, LeavesOutIdAndPath) {
     const AnimalEntry deer = read(kSmall).animals[0];
     const AnimalEntry moved = read(R"({"schema":1,"animals":{"elk":{"model":"a/b.glb"}}})").animals[0];
