@@ -49,6 +49,7 @@ recipe::AnimalEntry entry_of(unsigned choice) {
     entry.output.row_pitch = choice & 8u ? recipe::RowPitch::align256 : recipe::RowPitch::tight;
     entry.output.influences = choice & 32u ? 8 : 4;
     entry.output.unused_bones = choice & 64u ? recipe::UnusedBones::drop : recipe::UnusedBones::keep;
+    if (choice & 128u) entry.output.bound = recipe::ErrorBound{{0.05}, recipe::ErrorLimit{0.02}, {}};
     return entry;
 }
 
@@ -62,12 +63,22 @@ void check_rows(const base::Bytes& container) {
     const posepack_result opened = posepack_open(&view, container.data(), container.size());
     if (opened != POSEPACK_OK) fail("the container does not open", posepack_result_name(opened));
     std::vector<float> matrices(std::size_t{view.header.bone_count} * 12);
-    for (std::uint32_t row = 0; row < view.header.row_count; ++row) {
-        if (posepack_decode_row(&view, row, matrices.data()) != POSEPACK_OK)
-            fail("expected every row to decode", "found one that does not");
+    const auto check_finite = [&] {
         for (const float value : matrices)
             if (!std::isfinite(value)) fail("expected finite matrices", "found another number");
+    };
+    const bool is_uniform = view.header.row_scheme == POSEPACK_ROWS_UNIFORM;
+    for (std::uint32_t row = 0; row < view.header.row_count && is_uniform; ++row) {
+        if (posepack_decode_row(&view, row, matrices.data()) != POSEPACK_OK)
+            fail("expected every row to decode", "found one that does not");
+        check_finite();
     }
+    for (std::uint32_t clip = 0; clip < view.header.clip_count; ++clip)
+        for (const float phase : {0.0f, 0.1f, 0.37f, 0.5f, 0.93f, 1.0f}) {
+            if (posepack_sample_pose(&view, clip, phase, matrices.data()) != POSEPACK_OK)
+                fail("expected every clip to have poses", "found one that has none");
+            check_finite();
+        }
 }
 
 void check_issue(const base::Issue& issue) {
@@ -90,7 +101,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         return 0;
     }
     if (!is_quick(animal.value())) return 0;
-    const auto baked = bake::bake_animal(entry_of(choice), glb, {strict, true, true});
+    bake::AnimalOptions options;
+    options.strict = strict;
+    options.compare_vat = true;
+    const auto baked = bake::bake_animal(entry_of(choice), glb, options);
     if (!baked) {
         fuzz::note_outcome(base::format_issue(baked.issue()));
         check_issue(baked.issue());
