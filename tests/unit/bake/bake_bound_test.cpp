@@ -196,6 +196,36 @@ TEST(BakeUnderABound, RowsEndInFrontOfJumps) {
     EXPECT_LE(baked.value().record.clips.front().error.max, 2e-2f);
 }
 
+// As many bytes, and the same errors but for `rounding`.
+void expect_alike(const support::ModelSpec& one, const support::ModelSpec& other, float rounding) {
+    const auto a = bake_animal(entry_of(bound_of(2e-2)), support::glb_of(one), {});
+    const auto b = bake_animal(entry_of(bound_of(2e-2)), support::glb_of(other), {});
+    ASSERT_TRUE(a && b) << base::format_issue(a ? b.issue() : a.issue());
+    EXPECT_EQ(bytes_of(a.value().record), bytes_of(b.value().record));
+    for (std::size_t c = 0; c < a.value().record.clips.size(); ++c) {
+        const recipe::ClipRecord& clip = a.value().record.clips[c];
+        EXPECT_NEAR(clip.error.max, b.value().record.clips[c].error.max, rounding) << clip.name;
+        EXPECT_NEAR(clip.error.rms, b.value().record.clips[c].error.rms, rounding) << clip.name;
+    }
+}
+
+TEST(BakeUnderABound, TheOrderOfJointsDoesNotMatter) {
+    support::ModelSpec turned = support::tail();
+    std::reverse(turned.skins[0].joints.begin(), turned.skins[0].joints.end());
+    std::reverse(turned.skins[0].inverse_binds.begin(), turned.skins[0].inverse_binds.end());
+    for (std::uint16_t& joint : turned.meshes[0].joints) joint = static_cast<std::uint16_t>(2 - joint);
+    expect_alike(support::tail(), turned, 1e-6f);
+}
+
+TEST(BakeUnderABound, ThePlaceOfTheModelDoesNotMatter) {
+    support::ModelSpec moved = support::tail();
+    moved.nodes.push_back({{"name", "World"},
+                           {"translation", {300, -20, 7}},
+                           {"rotation", support::turn(40, 0.2, 1, 0)},
+                           {"children", {0}}});
+    expect_alike(support::tail(), moved, 3e-4f);
+}
+
 TEST(BakeUnderABound, FloatsHoldWhatHalvesDoNot) {
     const auto baked = bake_goat(bound_of(4e-4));
     ASSERT_TRUE(baked) << base::format_issue(baked.issue());
