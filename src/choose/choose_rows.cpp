@@ -29,7 +29,8 @@ constexpr double kCloseEnough = 0.98;  // of the bound: not worth another try
 constexpr double kRounding = 3e-4;     // of R: what rounding adds to the largest error
 constexpr double kShortestReal = 0.75;
 constexpr int kMostSlotTries = 6;
-constexpr int kMostWidenings = 30;  // each by 2
+constexpr int kMostWidenings = 100;
+constexpr double kWidening = 1.25;
 constexpr double kClearlySmaller = 0.95;  // slots cost a reader a step more than runs
 // Of the tightest limit: how far the lines that slots begin with may lie from the tracks. Least squares
 // halves that, and most places are nearer.
@@ -321,7 +322,7 @@ base::Status RowChooser::try_wider(const fit::Tracks& tracks, fit::RowSelector& 
                                    Contest& contest) const {
     Limits limits = contest.wanted;
     for (int times = 0; times < kMostWidenings; ++times) {
-        limits = scaled(limits, 2.0);
+        limits = scaled(limits, kWidening);
         const auto selection = selector.select(limits);
         if (!selection) continue;
         const auto entered = enter(tracks, selector, *selection, contest);
