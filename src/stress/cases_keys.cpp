@@ -183,11 +183,11 @@ constexpr std::array kCases = {
 }  // namespace
 
 CaseGroup key_cases() {
-    return {
-        "Keys and times",
-        "Times are taken from the first key in double precision at once. Rows end in front of a jump that lies "
-        "on the key grid; a clip that jumps elsewhere is refused rather than smeared.",
-        kCases};
+    return {"Keys and times",
+            "Times are taken from the first key in double precision at once. Rows end in front of a jump "
+            "that lies "
+            "on the key grid; a clip that jumps elsewhere is refused rather than smeared.",
+            kCases};
 }
 
 }  // namespace posepack::stress

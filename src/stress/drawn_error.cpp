@@ -155,9 +155,9 @@ class Meter {
             motion::ClipSampler sampler(animal_, animal_.clips[c]);
             const double duration_s = animal_.clips[c].duration_s;
             const std::vector<double> times_s = row_times_s(view_, c);
-            if (view_.header.row_scheme == POSEPACK_ROWS_UNIFORM) look_at_rows(clip, times_s, duration_s, sampler, rows);
-            look_between(c, clip, marks_of(times_s, sampler.key_times_s(), duration_s),
-                         sampler, between);
+            if (view_.header.row_scheme == POSEPACK_ROWS_UNIFORM)
+                look_at_rows(clip, times_s, duration_s, sampler, rows);
+            look_between(c, clip, marks_of(times_s, sampler.key_times_s(), duration_s), sampler, between);
         }
         between.add(rows);
         return {rows.amounts(), between.amounts()};

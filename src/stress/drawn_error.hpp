@@ -4,8 +4,8 @@
 //
 // Beside measure/ this is a second measurement: it reads the container alone through the loader (whatever its
 // row scheme), makes phases of times in float as a reader does (docs/format/posepack-1.md, section 11), skins
-// in float with both fixed matrices, and looks at many more times. Halves below 2^-14 count as zero, as on some
-// GPUs.
+// in float with both fixed matrices, and looks at many more times. Halves below 2^-14 count as zero, as on
+// some GPUs.
 #pragma once
 
 #include <span>
@@ -27,8 +27,9 @@ struct DrawnError {
     Amounts all;   // at the rows and between them
 };
 
-// Measures `container`, the palette of every clip of `animal` in their order: at uniform rows, and between two
-// rows (of any bone) or keys at 4 to 17 times, by their number. Errors: E-INTERNAL when the loader refuses the bytes.
+// Measures `container`, the palette of every clip of `animal` in their order: at uniform rows, and between
+// two rows (of any bone) or keys at 4 to 17 times, by their number. Errors: E-INTERNAL when the loader
+// refuses the bytes.
 base::Result<DrawnError> measure_drawn(const animal::Animal& animal, std::span<const std::uint8_t> container,
                                        const Reader& reader);
 

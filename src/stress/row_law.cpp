@@ -53,8 +53,8 @@ float through_half(float value) {
 
 float phase_at(const posepack_clip& clip, double time_s, const Reader& reader) {
     if (!(clip.period_s > 0.0f)) return 0.0f;
-    const float phase = clip.wrap == POSEPACK_WRAP_LOOP ? loop_phase(clip, time_s, reader)
-                                                        : once_phase(clip, time_s, reader);
+    const float phase =
+        clip.wrap == POSEPACK_WRAP_LOOP ? loop_phase(clip, time_s, reader) : once_phase(clip, time_s, reader);
     return reader.has_half_phase ? through_half(phase) : phase;
 }
 

@@ -29,11 +29,12 @@ TEST(StressList, NamesEveryCase) {
 }
 
 TEST(StressText, HasALineACaseAndSaysWhatHappens) {
-    const std::string text =
-        stress_text(results_of({"one_metre", "shear", "falling_keys", "spin_180_a_row", "step_among_curves"}));
-    for (const char* part : {"Places and sizes\n", "\none_metre ", "meets the bound\n", "\nshear ",
-                             "SIMILARITY", "switches form to affine 16F\n", "refuses: E-GLB-TIMES\n",
-                             " of 44  adds rows\n", " of 124  slots, cuts\n", "5 cases: 5 as expected, 0 not."})
+    const std::string text = stress_text(
+        results_of({"one_metre", "shear", "falling_keys", "spin_180_a_row", "step_among_curves"}));
+    for (const char* part :
+         {"Places and sizes\n", "\none_metre ", "meets the bound\n", "\nshear ", "SIMILARITY",
+          "switches form to affine 16F\n", "refuses: E-GLB-TIMES\n", " of 44  adds rows\n",
+          " of 124  slots, cuts\n", "5 cases: 5 as expected, 0 not."})
         EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
     EXPECT_EQ(text.find("Readers"), std::string::npos) << "groups without a case are left out";
 }

@@ -44,7 +44,8 @@ TEST(PhaseAt, OfAClockInOneFloatLosesIt) {
     EXPECT_EQ(phase_at(loop, 0.5 + 0.3 / 128, day), 0.25f) << "one that it has not";
     const Reader days{.running_s = 1e6, .has_raw_clock = true};
     EXPECT_EQ(phase_at(loop, 0.54, days), 0.25f + 1.0f / 32) << "later";
-    EXPECT_EQ(phase_at(clip_of(POSEPACK_WRAP_ONCE, 2.0f), 0.54, days), 0.25f + 1.0f / 32) << "a clip that ends";
+    EXPECT_EQ(phase_at(clip_of(POSEPACK_WRAP_ONCE, 2.0f), 0.54, days), 0.25f + 1.0f / 32)
+        << "a clip that ends";
 }
 
 // Halves step by 1/2,048 between a half and 1.

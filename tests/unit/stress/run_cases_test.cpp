@@ -47,9 +47,9 @@ TEST(RunCase, MeasuresEveryFormAndTheChosenOne) {
 
 // Each expectation of these cases, replaced by another one.
 TEST(RunCase, TellsWhenAnActionDiffers) {
-    for (const char* name : {"one_metre", "shear", "spin_170_a_row", "travel_30_m", "falling_keys",
-                             "step_off_the_grid", "raw_clock_after_a_day", "spring_100_ms",
-                             "step_among_curves"}) {
+    for (const char* name :
+         {"one_metre", "shear", "spin_170_a_row", "travel_30_m", "falling_keys", "step_off_the_grid",
+          "raw_clock_after_a_day", "spring_100_ms", "step_among_curves"}) {
         EXPECT_EQ(result_of(case_named(name)).difference, "") << name;
         for (const Action& other :
              {kMeets, kSwitchesForm, kAddsRows, kSlots, kCuts, kMisses, refuses(IssueCode::lim_work)}) {
