@@ -132,7 +132,7 @@ constexpr std::array kCases = {
     StressCase{"step_of_90_degrees",
                "a STEP of 90 degrees off the grid among curves",
                step_of_90_degrees,
-               {refuses(IssueCode::lim_bound)}},
+               {refuses(IssueCode::lim_bound), "at 0.4789 s, bone 'joint 3'"}},
     StressCase{"single_key", "one key: no duration to divide by", single_key, {kMeets}},
     StressCase{"keys_at_one_time",
                "three keys at one time: no duration either",

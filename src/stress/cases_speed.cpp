@@ -208,7 +208,7 @@ constexpr std::array kCases = {
     StressCase{"spring_10_ms",
                "a spring that is over in a third of a row: 480 rows a second miss it",
                spring_10_ms,
-               {refuses(IssueCode::lim_bound), "with 16 rows a key"},
+               {refuses(IssueCode::lim_bound), "bone 'joint 3', with 16 rows a key"},
                kAt30Hz},
     StressCase{"spring_1_ms",
                "a spring that is over in a thirtieth of a row",
