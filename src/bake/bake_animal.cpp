@@ -215,7 +215,7 @@ base::Status choose_rows(const recipe::AnimalEntry& entry, const Animal& animal,
     if (halves || halves.issue().code != IssueCode::lim_bound) return halves;
     auto floats =
         choose::choose_rows(animal, points, bounds, POSEPACK_TEXEL_RGBA32F, aids, palette, attempts, means);
-    if (!floats) return floats.issue().code == IssueCode::lim_bound ? halves : floats;
+    if (!floats) return floats;
     findings.push_back({IssueCode::warn_floats, halves.issue().where, halves.issue().detail});
     return {};
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "fit/polyline.hpp"
 #include "fit/slots.hpp"
@@ -28,6 +29,8 @@ constexpr double kCloseEnough = 0.98;  // of the bound: not worth another try
 constexpr double kRounding = 3e-4;     // of R: what rounding adds to the largest error
 constexpr double kShortestReal = 0.75;
 constexpr int kMostSlotTries = 6;
+constexpr int kMostWidenings = 100;
+constexpr double kWidening = 1.25;
 constexpr double kClearlySmaller = 0.95;  // slots cost a reader a step more than runs
 // Of the tightest limit: how far the lines that slots begin with may lie from the tracks. Least squares
 // halves that, and most places are nearer.
@@ -124,6 +127,12 @@ std::uint64_t bytes_of(const palette::ClipRuns& runs) {
 double enough_of(const Limits& bound, double reach) {
     const double limit = std::min({0.5 * bound.max, bound.p999, bound.rms}) * reach / 3.0;
     return limit * limit;
+}
+
+// Whether a bone has more than one row. Samples may all miss a motion.
+bool any_moves(const fit::Selection& selection) {
+    return std::any_of(selection.rows.begin(), selection.rows.end(),
+                       [](const BoneRows& rows) { return rows.interval_count > 0; });
 }
 
 // Errors of single bones below this are summed, but not counted.
@@ -309,6 +318,20 @@ base::Status RowChooser::try_runs(const fit::Tracks& tracks, fit::RowSelector& s
     return {};
 }
 
+// What is reached where no rows keep the bound: rows under limits that are widened until there are some.
+base::Status RowChooser::try_wider(const fit::Tracks& tracks, fit::RowSelector& selector,
+                                   Contest& contest) const {
+    Limits limits = contest.wanted;
+    for (int times = 0; times < kMostWidenings; ++times) {
+        limits = scaled(limits, kWidening);
+        const auto selection = selector.select(limits);
+        if (!selection) continue;
+        const auto entered = enter(tracks, selector, *selection, contest);
+        return entered ? base::Status{} : entered.issue();
+    }
+    return {};
+}
+
 // Rows at uneven times, where they take clearly fewer bytes than runs, or keep the bound where no runs do.
 base::Result<bool> RowChooser::try_slots(fit::Tracks& tracks, Contest& contest) const {
     if (!means_.slots || tracks.interval_count == 0 || tracks.step) return false;
@@ -331,6 +354,7 @@ base::Result<bool> RowChooser::try_slots(fit::Tracks& tracks, Contest& contest) 
         const auto selection = selector.select(contest.wanted);
         double share = kFarOff;
         if (selection) {
+            if (!any_moves(*selection)) break;  // slots lead to rows
             if (expected_bytes(*selection, tracks) >= enough) return false;
             const auto entered = enter(tracks, selector, *selection, contest);
             if (!entered) return entered.issue();
@@ -371,6 +395,8 @@ base::Result<ChosenRows> RowChooser::choose(std::uint32_t index, fit::Form form,
                                   floor_of(bound), fineness.rows_per_key, means_.rows);
         if (!contest.has_best())
             if (auto status = try_runs(tracks, selector, contest); !status) return status.issue();
+        if (contest.attempts.empty() && &fineness == std::end(kFineness) - 1)
+            if (auto status = try_wider(tracks, selector, contest); !status) return status.issue();
         const auto rough = try_slots(tracks, contest);
         if (!rough) return rough.issue();
         is_rough = rough.value();
@@ -449,6 +475,7 @@ base::Status choose_rows(const animal::Animal& animal, const motion::SkinSet& po
                              next_row, texels, posepack_encoding_texels(palette.clips.back().runs.encoding));
     if (!layout) return layout.issue();
     palette.layout = layout.value();
+    if (encoding == POSEPACK_ENCODING_AFFINE) palette.dualquat_length = 0.0f;
     return {};
 }
 

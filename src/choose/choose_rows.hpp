@@ -58,6 +58,7 @@ class RowChooser {
     class Contest;
     base::Result<palette::ClipError> measure(palette::PaletteClip clip) const;
     base::Status try_runs(const fit::Tracks& tracks, fit::RowSelector& selector, Contest& contest) const;
+    base::Status try_wider(const fit::Tracks& tracks, fit::RowSelector& selector, Contest& contest) const;
     // Whether more samples would lead further.
     base::Result<bool> try_slots(fit::Tracks& tracks, Contest& contest) const;
     // Encodes, measures and enters one selection; whether it could be encoded.

@@ -168,7 +168,10 @@ Profile profile_of(const Tracks& tracks, const Polyline& line, std::size_t bone,
     std::array<double, kAffineNumbers> numbers{};
     std::array<float, 12> found{};
     std::vector<float> squares(points.x.size());
-    const std::size_t every = line.interval_count * kManySamples <= tracks.interval_count ? 2 : 1;
+    // Slots have few samples an interval where rows are close.
+    const bool has_many =
+        tracks.slots.slots.empty() && line.interval_count * kManySamples <= tracks.interval_count;
+    const std::size_t every = has_many ? 2 : 1;
     const double share = points.share * static_cast<double>(every);
     for (std::size_t k = 0; k < tracks.known_count; k += every) {
         blend_numbers(line, width, tracks.step, tracks.phase(k), numbers.data());

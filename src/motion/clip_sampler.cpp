@@ -169,6 +169,11 @@ void ClipSampler::apply(Cursor& cursor, double absolute_s) {
         channel.interpolation == Interpolation::step ? absolute_s + kEqualTimesS : absolute_s;
     while (key > 0 && times[key] > reached_s) --key;
     while (key + 1 < channel.key_count && times[key + 1] <= reached_s) ++key;
+    // Nor a jump between keys that are one moment.
+    const auto is_jump = [&](std::uint32_t k) {
+        return k + 1 < channel.key_count && static_cast<double>(times[k + 1]) - times[k] < kEqualTimesS;
+    };
+    while ((is_jump(key) || is_jump(key + 1)) && times[key + 1] <= absolute_s + kEqualTimesS) ++key;
     cursor.key = key;
     animal::Transform& local = locals_[channel.node];
     switch (channel.path) {

@@ -17,6 +17,7 @@ std::string text_of(const Action& action) {
     };
     add(action.switches_form, "switches form");
     add(action.adds_rows, "adds rows");
+    add(action.has_slots, "slots");
     add(action.cuts, "cuts");
     add(action.misses, "misses the bound");
     return text.empty() ? "meets the bound" : text;

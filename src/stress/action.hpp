@@ -16,12 +16,13 @@ struct Bound {
     double max = 0.0, p999 = 0.0;
 };
 
-// Without any of these the first choice, dual quaternions in halves at the rows of the start, meets the
-// bound.
+// Without any of these the bound is met by dual quaternions in halves, in runs of no more bone-rows than the
+// rows of the start have.
 struct Action {
     bool switches_form = false;                // to matrices, or to floats
-    bool adds_rows = false;                    // more than the start has
-    bool cuts = false;                         // some rows do not blend into the next
+    bool adds_rows = false;                    // more bone-rows than the start has
+    bool has_slots = false;                    // rows at uneven times
+    bool cuts = false;                         // slots: a row ends in front of a jump
     bool misses = false;                       // what was chosen does not hold the bound in this reader
     std::optional<base::IssueCode> refuses{};  // then nothing else is set
 
@@ -32,6 +33,8 @@ inline constexpr Action kMeets{};
 inline constexpr Action kSwitchesForm{.switches_form = true};
 inline constexpr Action kAddsRows{.adds_rows = true};
 inline constexpr Action kSwitchesAndAddsRows{.switches_form = true, .adds_rows = true};
+inline constexpr Action kSlots{.has_slots = true};
+inline constexpr Action kCuts{.has_slots = true, .cuts = true};
 inline constexpr Action kMisses{.misses = true};
 constexpr Action refuses(base::IssueCode code) {
     Action action;
@@ -39,7 +42,7 @@ constexpr Action refuses(base::IssueCode code) {
     return action;
 }
 
-// "meets the bound", "switches form, adds rows", "refuses: E-LIM-BOUND".
+// "meets the bound", "switches form, slots", "refuses: E-LIM-BOUND".
 std::string text_of(const Action& action);
 
 // What a case expects.

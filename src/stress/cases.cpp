@@ -26,4 +26,11 @@ recipe::AnimalEntry entry_of(const StressCase& stress_case) {
     return entry;
 }
 
+recipe::AnimalEntry under_bound(recipe::AnimalEntry entry, const Bound& bound) {
+    entry.output.bound =
+        recipe::ErrorBound{recipe::ErrorLimit{bound.max}, recipe::ErrorLimit{bound.p999}, {}};
+    for (recipe::ClipWish& wish : entry.clips) wish.rate_hz.reset();
+    return entry;
+}
+
 }  // namespace posepack::stress

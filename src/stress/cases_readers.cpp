@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a reader can spoil while it runs, whatever the palette: clocks and row numbers.
+// What a reader can spoil while it runs, whatever the palette: clocks and halves.
 #include <array>
 
 #include "stress/models.hpp"
@@ -13,8 +13,8 @@ RawModel run() {
     return with_clip(model, swaying(model, grid(22, kKeyHz), kSwayDegrees, 0.7));
 }
 
-// 2,101 rows of a clip that sways all the time.
-RawModel rows_2101() {
+// 2,101 keys of a clip that sways all the time.
+RawModel keys_2101() {
     const RawModel model = reed({.joints = 2, .rings = 5});
     return with_clip(model, swaying(model, grid(2'101, kKeyHz), kSwayDegrees, 1.0));
 }
@@ -60,23 +60,22 @@ constexpr std::array kCases = {
                kLoop,
                kUsual,
                {.running_s = kElevenDaysS, .has_raw_clock = true}},
-    StressCase{"rows_2101", "2,101 rows, their numbers as integers", rows_2101, {kMeets}},
-    StressCase{"rows_2101_in_halves",
-               "the same with row numbers in halves: 2,049 is read as 2,048",
-               rows_2101,
+    StressCase{"phase_of_2101_keys", "a clip of 2,101 keys, its phase in one float", keys_2101, {kMeets}},
+    StressCase{"phase_in_a_half",
+               "the same with the phase in a half, which steps by a whole row",
+               keys_2101,
                {kMisses},
                {},
                kUsual,
-               {.has_half_rows = true}},
+               {.has_half_phase = true}},
 };
 
 }  // namespace
 
 CaseGroup reader_cases() {
     return {"Readers",
-            "A palette is only as good as the time and the row number that a program hands its shader. No "
-            "palette "
-            "mends these: wrap the phase in double precision, keep row numbers in 32 bits.",
+            "A palette is only as good as the phase that a program hands its shader. No palette mends a lost "
+            "one: wrap it in double precision, and hand it on in 32 bits.",
             kCases};
 }
 

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "format/bytes.h"
-#include "format/half.h"
 #include "motion/clip_sampler.hpp"
 #include "motion/skin_set.hpp"
 #include "posepack/loader.h"
@@ -34,18 +33,11 @@ Vec transform(const float* m, const Vec& p) {
             m[8] * p.x + m[9] * p.y + m[10] * p.z + m[11]};
 }
 
-// A row number that travels in a half.
-std::uint32_t through_half(std::uint32_t row, std::uint32_t row_count) {
-    const auto read = static_cast<std::uint32_t>(
-        posepack_float_from_half(posepack_half_from_float(static_cast<float>(row))));
-    return std::min(read, row_count - 1);
-}
-
 // The vertices of an animal, drawn from a container.
 class Drawing {
  public:
     Drawing(const animal::Animal& animal, const posepack_view& view, const motion::SkinSet& points)
-        : view_(view), points_(points), matrices_(std::size_t{view.header.bone_count} * 12) {
+        : view_(view), points_(points) {
         posepack_get_space(&view, &space_);
         for (std::size_t i = 0; i < points.size(); ++i) {
             posepack_mesh mesh{};
@@ -55,16 +47,15 @@ class Drawing {
         }
     }
 
-    // Model-space places of all points.
-    const std::vector<Vec>& draw(const RowPair& rows) {
-        posepack_blend_row(&view_, rows.row0, rows.row1, rows.factor, matrices_.data());
+    // Model-space places of all points under the matrices of all bones.
+    const std::vector<Vec>& draw(const std::vector<float>& matrices) {
         drawn_.resize(points_.size());
         for (std::size_t n = 0; n + 1 < points_.first.size(); ++n)
             for (std::uint32_t i = points_.first[n]; i < points_.first[n + 1]; ++i) {
                 Vec sum;
                 for (std::size_t k = 0; k < n; ++k) {
                     const float w = points_.weights[i][k];
-                    const Vec p = transform(&matrices_[std::size_t{points_.bones[i][k]} * 12], entered_[i]);
+                    const Vec p = transform(&matrices[std::size_t{points_.bones[i][k]} * 12], entered_[i]);
                     sum = {sum.x + w * p.x, sum.y + w * p.y, sum.z + w * p.z};
                 }
                 drawn_[i] = transform(space_.model_from_palette, sum);
@@ -87,7 +78,6 @@ class Drawing {
     const motion::SkinSet& points_;
     posepack_space space_{};
     std::vector<Vec> entered_, drawn_;
-    std::vector<float> matrices_;
 };
 
 // Errors by and by, and what they amount to.
@@ -122,9 +112,10 @@ class Errors {
 };
 
 // Ends of the spans that are looked at: rows and keys, rising, up to the last key.
-std::vector<double> marks_of(const ReaderClip& clip, std::vector<double> marks, double duration_s) {
-    for (std::uint32_t row = 0; row < clip.facts.row_count; ++row)
-        if (row_time_s(clip, row) <= duration_s) marks.push_back(row_time_s(clip, row));
+std::vector<double> marks_of(std::vector<double> marks, const std::vector<double>& key_times_s,
+                             double duration_s) {
+    marks.insert(marks.end(), key_times_s.begin(), key_times_s.end());
+    std::erase_if(marks, [&](double time_s) { return time_s > duration_s; });
     marks.push_back(duration_s);
     std::sort(marks.begin(), marks.end());
     marks.erase(
@@ -152,53 +143,53 @@ class Meter {
           points_(motion::unique_points(animal)),
           drawing_(animal, view, points_),
           bones_(animal.bones.size()),
-          exact_(points_.size()) {}
+          exact_(points_.size()),
+          matrices_(std::size_t{view.header.bone_count} * 12) {}
 
     DrawnError measure() {
         Errors rows;
         Errors between;
         for (std::uint32_t c = 0; c < view_.header.clip_count; ++c) {
-            const ReaderClip clip = read_clip(view_, c);
+            posepack_clip clip;
+            posepack_get_clip(&view_, c, &clip);
             motion::ClipSampler sampler(animal_, animal_.clips[c]);
-            look_at_rows(clip, sampler, animal_.clips[c].duration_s, rows);
-            look_between(clip, sampler, animal_.clips[c].duration_s, between);
+            const double duration_s = animal_.clips[c].duration_s;
+            const std::vector<double> times_s = row_times_s(view_, c);
+            if (view_.header.row_scheme == POSEPACK_ROWS_UNIFORM)
+                look_at_rows(clip, times_s, duration_s, sampler, rows);
+            look_between(c, clip, marks_of(times_s, sampler.key_times_s(), duration_s), sampler, between);
         }
         between.add(rows);
         return {rows.amounts(), between.amounts()};
     }
 
  private:
-    void look(motion::ClipSampler& sampler, double time_s, const RowPair& rows, Errors& errors) {
-        RowPair read = rows;
-        if (reader_.has_half_rows) {
-            read.row0 = through_half(read.row0, view_.header.row_count);
-            read.row1 = through_half(read.row1, view_.header.row_count);
-        }
+    // At the matrices that were read.
+    void look(motion::ClipSampler& sampler, double time_s, Errors& errors) {
         sampler.sample(time_s, bones_);
         motion::skin(points_, bones_, exact_);
-        errors.add(drawing_.draw(read), exact_, drawing_.radius());
+        errors.add(drawing_.draw(matrices_), exact_, drawing_.radius());
     }
 
-    void look_at_rows(const ReaderClip& clip, motion::ClipSampler& sampler, double duration_s,
-                      Errors& errors) {
-        for (std::uint32_t row = 0; row < clip.facts.row_count; ++row) {
-            const double time_s = row_time_s(clip, row);
-            if (time_s > duration_s + kEqualTimesS) break;
-            const std::uint32_t at = clip.facts.first_row + row;
-            look(sampler, time_s, {at, at, 0.0f}, errors);
+    void look_at_rows(const posepack_clip& clip, const std::vector<double>& times_s, double duration_s,
+                      motion::ClipSampler& sampler, Errors& errors) {
+        for (std::uint32_t row = 0; row < clip.row_count; ++row) {
+            if (times_s[row] > duration_s + kEqualTimesS) break;
+            posepack_decode_row(&view_, clip.first_row + row, matrices_.data());
+            look(sampler, times_s[row], errors);
         }
     }
 
-    void look_between(const ReaderClip& clip, motion::ClipSampler& sampler, double duration_s,
-                      Errors& errors) {
-        const std::vector<double> marks = marks_of(clip, sampler.key_times_s(), duration_s);
+    void look_between(std::uint32_t index, const posepack_clip& clip, const std::vector<double>& marks,
+                      motion::ClipSampler& sampler, Errors& errors) {
         const auto steps = static_cast<unsigned>(
             std::clamp<std::size_t>(kTimesAClip / marks.size(), kFewestSteps, kMostSteps));
         for (std::size_t i = 1; i < marks.size(); ++i)
             for (unsigned step = 0; step <= steps; ++step) {
                 const double part = std::clamp(static_cast<double>(step) / steps, kEdge, 1.0 - kEdge);
                 const double time_s = marks[i - 1] + part * (marks[i] - marks[i - 1]);
-                look(sampler, time_s, rows_at(clip, time_s, reader_), errors);
+                posepack_sample_pose(&view_, index, phase_at(clip, time_s, reader_), matrices_.data());
+                look(sampler, time_s, errors);
             }
     }
 
@@ -209,6 +200,7 @@ class Meter {
     Drawing drawing_;
     std::vector<Affine> bones_;
     std::vector<glm::dvec3> exact_;
+    std::vector<float> matrices_;
 };
 
 }  // namespace

@@ -2,9 +2,10 @@
 // The error of a palette as it is drawn: a reader's arithmetic in 32-bit float from the texels to the vertex
 // in model space, against the source curves in double precision.
 //
-// Beside measure/ this is a second measurement: it reads the container alone (the loader's tables, matrices
-// and blends), finds rows by the time law of docs/format/posepack-1.md section 11 in float, skins in float
-// with both fixed matrices, and looks at many more times. Halves below 2^-14 count as zero, as on some GPUs.
+// Beside measure/ this is a second measurement: it reads the container alone through the loader (whatever its
+// row scheme), makes phases of times in float as a reader does (docs/format/posepack-1.md, section 11), skins
+// in float with both fixed matrices, and looks at many more times. Halves below 2^-14 count as zero, as on
+// some GPUs.
 #pragma once
 
 #include <span>
@@ -22,12 +23,13 @@ struct Amounts {
 };
 
 struct DrawnError {
-    Amounts rows;  // at the rows alone
+    Amounts rows;  // at uniform rows alone; zeros under runs, whose bones share none
     Amounts all;   // at the rows and between them
 };
 
-// Measures `container`, the palette of every clip of `animal` in their order: at every row, and between two
-// rows or keys at 4 to 17 times, by their number. Errors: E-INTERNAL when the loader refuses the bytes.
+// Measures `container`, the palette of every clip of `animal` in their order: at uniform rows, and between
+// two rows (of any bone) or keys at 4 to 17 times, by their number. Errors: E-INTERNAL when the loader
+// refuses the bytes.
 base::Result<DrawnError> measure_drawn(const animal::Animal& animal, std::span<const std::uint8_t> container,
                                        const Reader& reader);
 

@@ -10,8 +10,8 @@ struct Reader {
     // The phase of a clip comes from all those seconds in one float. A careful reader keeps time in double
     // precision and hands the shader the phase.
     bool has_raw_clock = false;
-    // Row numbers travel in a half, as in a half-float vertex attribute.
-    bool has_half_rows = false;
+    // The phase travels in a half, as in a half-float vertex attribute.
+    bool has_half_phase = false;
 };
 
 }  // namespace posepack::stress

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+
+#include "format/half.h"
 
 namespace posepack::stress {
 namespace {
@@ -29,36 +32,50 @@ float once_phase(const posepack_clip& clip, double time_s, const Reader& reader)
     return std::clamp(passed_s / clip.period_s, 0.0f, 1.0f);
 }
 
+// Of slots that go through several rows the inner ones too.
+void add_slot_times(const posepack_view& view, std::uint32_t index, const posepack_clip& clip,
+                    std::vector<double>& times_s) {
+    const double slot_s = static_cast<double>(clip.period_s) / clip.slot_count;
+    for (std::uint32_t k = 0; k < clip.slot_count; ++k) {
+        posepack_slot slot;
+        posepack_get_slot(&view, index, k, &slot);
+        const std::uint32_t rows = slot.span == 0 ? std::max(slot.offset, 1u) : 1u;
+        for (std::uint32_t row = 0; row < rows; ++row)
+            times_s.push_back(slot_s * (k + static_cast<double>(row) / rows));
+    }
+}
+
+float through_half(float value) {
+    return posepack_float_from_half(posepack_half_from_float(value));
+}
+
 }  // namespace
 
-ReaderClip read_clip(const posepack_view& view, std::uint32_t index) {
-    ReaderClip clip;
-    posepack_get_clip(&view, index, &clip.facts);
-    clip.cuts.resize(clip.facts.cut_count);
-    for (std::uint32_t i = 0; i < clip.facts.cut_count; ++i) posepack_get_cut(&view, index, i, &clip.cuts[i]);
-    return clip;
+float phase_at(const posepack_clip& clip, double time_s, const Reader& reader) {
+    if (!(clip.period_s > 0.0f)) return 0.0f;
+    const float phase =
+        clip.wrap == POSEPACK_WRAP_LOOP ? loop_phase(clip, time_s, reader) : once_phase(clip, time_s, reader);
+    return reader.has_half_phase ? through_half(phase) : phase;
 }
 
-RowPair rows_at(const ReaderClip& clip, double time_s, const Reader& reader) {
-    const posepack_clip& facts = clip.facts;
-    if (facts.row_count == 1) return {facts.first_row, facts.first_row, 0.0f};
-    const bool is_loop = facts.wrap == POSEPACK_WRAP_LOOP;
-    const float phase = is_loop ? loop_phase(facts, time_s, reader) : once_phase(facts, time_s, reader);
-    const float position = phase * static_cast<float>(is_loop ? facts.row_count : facts.row_count - 1);
-    const std::uint32_t row = std::min(static_cast<std::uint32_t>(position), facts.row_count - 1);
-    const bool is_held = facts.interpolation == POSEPACK_INTERPOLATION_STEP ||
-                         std::binary_search(clip.cuts.begin(), clip.cuts.end(), row);
-    if (is_held) return {facts.first_row + row, facts.first_row + row, 0.0f};
-    std::uint32_t next = row + 1;
-    if (next == facts.row_count) next = !is_loop ? row : facts.closing_row != 0 ? facts.row_count : 0;
-    return {facts.first_row + row, facts.first_row + next, position - static_cast<float>(row)};
-}
-
-double row_time_s(const ReaderClip& clip, std::uint32_t row) {
-    if (clip.facts.row_count == 1) return 0.0;
-    const double intervals =
-        clip.facts.wrap == POSEPACK_WRAP_LOOP ? clip.facts.row_count : clip.facts.row_count - 1;
-    return static_cast<double>(clip.facts.period_s) * row / intervals;
+std::vector<double> row_times_s(const posepack_view& view, std::uint32_t index) {
+    posepack_clip clip;
+    posepack_get_clip(&view, index, &clip);
+    std::vector<double> times_s;
+    if (clip.slot_count > 0) {
+        add_slot_times(view, index, clip, times_s);
+        return times_s;
+    }
+    std::set<std::uint32_t> interval_counts;
+    for (std::uint32_t bone = 0; bone < view.header.bone_count; ++bone) {
+        posepack_run run;
+        posepack_get_run(&view, index, bone, &run);
+        interval_counts.insert(run.interval_count);
+    }
+    for (const std::uint32_t count : interval_counts)
+        for (std::uint32_t row = 0; row <= count; ++row)
+            times_s.push_back(static_cast<double>(clip.period_s) * row / std::max(count, 1u));
+    return times_s;
 }
 
 }  // namespace posepack::stress

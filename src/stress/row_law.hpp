@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How a reader finds its rows: the time law of docs/format/posepack-1.md, section 11, in 32-bit float.
+// How a reader comes to its rows: the time law of docs/format/posepack-1.md, section 11. From the clock to
+// the phase it is the program's, in 32-bit float; from the phase to the rows it is the loader's.
 #pragma once
 
 #include <cstdint>
@@ -10,26 +11,13 @@
 
 namespace posepack::stress {
 
-// A clip as a reader knows it.
-struct ReaderClip {
-    posepack_clip facts{};
-    std::vector<std::uint32_t> cuts;  // rising
-};
+// The phase at which a reader shows clip time `time_s`, 0 up to the period. The clip is looked at
+// `reader.running_s` into the run of the program, or at most one period earlier, so that this time of it
+// shows.
+float phase_at(const posepack_clip& clip, double time_s, const Reader& reader);
 
-// Clip `index` of an opened container, which must have it.
-ReaderClip read_clip(const posepack_view& view, std::uint32_t index);
-
-// The pose is row0 (1 - factor) + row1 factor; rows counted from the container's first.
-struct RowPair {
-    std::uint32_t row0 = 0, row1 = 0;
-    float factor = 0.0f;
-};
-
-// The rows that show clip time `time_s`, 0 up to the period. The clip is looked at `reader.running_s` into
-// the run of the program, or at most one period earlier, so that this time of it shows.
-RowPair rows_at(const ReaderClip& clip, double time_s, const Reader& reader);
-
-// Clip time of a row, seconds.
-double row_time_s(const ReaderClip& clip, std::uint32_t row);
+// Clip times of the rows of every bone of clip `index`, which the view must have, seconds: of uniform rows in
+// their order, and behind those of a loop its end.
+std::vector<double> row_times_s(const posepack_view& view, std::uint32_t index);
 
 }  // namespace posepack::stress

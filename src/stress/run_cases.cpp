@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "animal/read_animal.hpp"
@@ -13,7 +14,6 @@
 #include "base/interrupt.hpp"
 #include "base/text.hpp"
 #include "posepack/loader.h"
-#include "stress/choose_palette.hpp"
 
 namespace posepack::stress {
 namespace {
@@ -81,18 +81,19 @@ class CaseRun {
     }
 
     base::Status choose() {
-        const auto container = choose_palette(entry_, glb_, result_.bound);
-        if (!container) {
-            result_.found.action = refuses(container.issue().code);
-            result_.found.refusal = format_issue(container.issue());
+        const auto baked = bake::bake_animal(under_bound(entry_, result_.bound), glb_, {});
+        if (!baked) {
+            result_.found.action = refuses(baked.issue().code);
+            result_.found.refusal = format_issue(baked.issue());
             return {};
         }
-        auto chosen = describe(container.value());
+        auto chosen = describe(baked.value().container);
         if (!chosen) return chosen.issue();
         result_.chosen = chosen.value();
         Action& action = result_.found.action;
         action.switches_form = chosen.value().form != Form{};
-        action.adds_rows = chosen.value().row_count > rows_at_start();
+        action.adds_rows = chosen.value().bone_row_count > chosen.value().start_bone_row_count;
+        action.has_slots = chosen.value().has_slots;
         action.cuts = chosen.value().cut_count > 0;
         action.misses = !is_held(chosen.value().drawn.all, result_.bound);
         return {};
@@ -106,17 +107,39 @@ class CaseRun {
         chosen.drawn = drawn.value();
         posepack_view view;
         posepack_open(&view, container.data(), container.size());
+        chosen.start_bone_row_count = std::uint64_t{rows_at_start()} * view.header.bone_count;
+        std::set<std::uint32_t> bone_rows;  // by their first texels
         for (std::uint32_t c = 0; c < view.header.clip_count; ++c) {
             posepack_clip clip;
             posepack_get_clip(&view, c, &clip);
             if (c == 0) chosen.form = form_of(view, clip);
-            chosen.row_count += clip.row_count;
-            chosen.cut_count += clip.cut_count;
+            if (c == 0) chosen.has_slots = clip.row_scheme == POSEPACK_ROWS_SLOTS;
+            chosen.cut_count += cuts_of(view, c, clip.slot_count);
+            for (std::uint32_t bone = 0; bone < view.header.bone_count; ++bone) {
+                posepack_run run;
+                posepack_get_run(&view, c, bone, &run);
+                for (std::uint32_t row = 0; row <= run.interval_count; ++row)
+                    bone_rows.insert(run.texel + row * run.texel_step);
+            }
         }
+        chosen.bone_row_count = bone_rows.size();
         posepack_texels texels;
         posepack_get_texels(&view, &texels);
         chosen.texel_bytes = texels.size_bytes;
         return chosen;
+    }
+
+    // Jumps that a row ends in front of: there a slot begins at a later row than the one before ends at.
+    static std::uint32_t cuts_of(const posepack_view& view, std::uint32_t clip, std::uint32_t slot_count) {
+        std::uint32_t count = 0;
+        std::uint32_t end = 0;
+        for (std::uint32_t k = 0; k < slot_count; ++k) {
+            posepack_slot slot;
+            posepack_get_slot(&view, clip, k, &slot);
+            count += slot.row > end;
+            end = slot.row + (slot.span == 0 ? slot.offset : (slot.offset + 1) / slot.span);
+        }
+        return count;
     }
 
     static Form form_of(const posepack_view& view, const posepack_clip& clip) {

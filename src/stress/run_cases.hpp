@@ -26,10 +26,13 @@ struct FormResult {
     double normal_max_deg = 0.0;
 };
 
-// What the compiler chose. The form is that of the first clip.
+// What the compiler chose. Form and slots are those of the first clip.
 struct Chosen {
     Form form;
-    std::uint32_t row_count = 0, cut_count = 0;
+    bool has_slots = false;
+    std::uint32_t cut_count = 0;             // jumps that a row ends in front of
+    std::uint64_t bone_row_count = 0;        // shared ones once
+    std::uint64_t start_bone_row_count = 0;  // of the rows that the case starts from
     std::uint64_t texel_bytes = 0;
     DrawnError drawn;
 };

@@ -56,4 +56,7 @@ CaseGroup reader_cases();
 // The entry that bakes a case at its start, in the form of the defaults.
 recipe::AnimalEntry entry_of(const StressCase& stress_case);
 
+// The wishes of `entry`, but for a bound: then the compiler chooses form and rows, and no rate is asked for.
+recipe::AnimalEntry under_bound(recipe::AnimalEntry entry, const Bound& bound);
+
 }  // namespace posepack::stress

@@ -48,6 +48,7 @@ Json action_json(const Action& action) {
     return {{"text", text_of(action)},
             {"switches_form", action.switches_form},
             {"adds_rows", action.adds_rows},
+            {"slots", action.has_slots},
             {"cuts", action.cuts},
             {"misses", action.misses},
             {"refuses", action.refuses ? Json(issue_kind(*action.refuses).id) : Json(nullptr)}};
@@ -55,7 +56,9 @@ Json action_json(const Action& action) {
 
 Json chosen_json(const Chosen& chosen) {
     Json out = form_json(chosen.form);
-    out["rows"] = chosen.row_count;
+    out["row_scheme"] = chosen.has_slots ? "slots" : "runs";
+    out["bone_rows"] = chosen.bone_row_count;
+    out["bone_rows_at_start"] = chosen.start_bone_row_count;
     out["cuts"] = chosen.cut_count;
     out["bytes"] = chosen.texel_bytes;
     out["drawn"] = amounts_json(chosen.drawn.all);
@@ -74,7 +77,7 @@ Json case_json(const CaseResult& result) {
             {"reader",
              {{"running_s", stress_case.reader.running_s},
               {"raw_clock", stress_case.reader.has_raw_clock},
-              {"half_rows", stress_case.reader.has_half_rows}}},
+              {"half_phase", stress_case.reader.has_half_phase}}},
             {"bound", {{"max", number(result.bound.max)}, {"p999", number(result.bound.p999)}}},
             {"forms", std::move(forms)},
             {"expected", action_json(stress_case.expected.action)},

@@ -24,17 +24,18 @@ std::string cell(const FormResult& form) {
     return std::string(id.substr(id.find('-', 2) + 1));
 }
 
-// The action, with what was chosen: "switches form to affine 32F, adds rows: 121".
+// The action, with the form that was chosen: "switches form to affine 32F, slots".
 std::string verdict(const CaseResult& result) {
     std::string text = text_of(result.found.action);
-    const auto put_behind = [&text](std::string_view words, const std::string& what) {
-        if (const auto at = text.find(words); at != std::string::npos) text.insert(at + words.size(), what);
-    };
-    if (result.chosen) {
-        put_behind("switches form", " to " + label_of(result.chosen->form));
-        put_behind("adds rows", fmt::format(": {}", result.chosen->row_count));
-    }
+    constexpr std::string_view kSwitches = "switches form";
+    if (result.chosen && result.found.action.switches_form)
+        text.insert(kSwitches.size(), " to " + label_of(result.chosen->form));
     return result.difference.empty() ? text : "DIFFERS: " + text;
+}
+
+// "14 of 124": how many of those that the rows of the start have.
+std::string bone_rows(const Chosen& chosen) {
+    return fmt::format("{} of {}", chosen.bone_row_count, chosen.start_bone_row_count);
 }
 
 std::vector<output::Column> form_columns(bool of_default_space) {
@@ -60,12 +61,13 @@ std::vector<std::string> form_cells(const CaseResult& result, bool of_default_sp
 std::string main_table(std::span<const CaseResult> results) {
     TextTable table;
     table.columns = form_columns(true);
-    for (const char* title : {"bound", "reached"}) table.columns.push_back({title});
+    for (const char* title : {"bound", "reached", "bone-rows"}) table.columns.push_back({title});
     table.columns.push_back({"what happens", Align::left});
     for (const CaseResult& result : results) {
         std::vector<std::string> cells = form_cells(result, true);
         cells.push_back(amount(result.bound.max));
         cells.push_back(result.chosen ? amount(result.chosen->drawn.all.max) : "-");
+        cells.push_back(result.chosen ? bone_rows(*result.chosen) : "-");
         cells.push_back(verdict(result));
         table.rows.push_back(std::move(cells));
     }
@@ -126,8 +128,9 @@ std::string outcome_text(const CaseResult& result) {
         fmt::format("bound: max {} R, p99.9 {} R\nwhat happens: {}\n", amount(result.bound.max),
                     amount(result.bound.p999), text_of(result.found.action));
     if (result.chosen)
-        text += fmt::format("chosen: {}, {}, {} bytes: max {} R, p99.9 {} R\n", label_of(result.chosen->form),
-                            base::counted(result.chosen->row_count, "row"),
+        text += fmt::format("chosen: {}, {} bone-rows in {}, {} bytes: max {} R, p99.9 {} R\n",
+                            label_of(result.chosen->form), bone_rows(*result.chosen),
+                            result.chosen->has_slots ? "slots" : "runs",
                             base::grouped(result.chosen->texel_bytes), amount(result.chosen->drawn.all.max),
                             amount(result.chosen->drawn.all.p999));
     if (!result.found.refusal.empty()) text += result.found.refusal + "\n";

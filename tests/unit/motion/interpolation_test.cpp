@@ -170,6 +170,17 @@ TEST(Jumps, AreStepsAndKeysWithoutTimeBetween) {
     EXPECT_EQ(jumps(one_channel("translation", {0, 2e-6f, 1, 2}, places)).size(), 0u);
 }
 
+// 0.1 and the next float: a row that was meant for them lies between the two.
+TEST(Jumps, BetweenKeysThatAreOneMomentAreTakenEarlyLikeSteps) {
+    const float later = std::nextafter(0.1f, 1.0f);
+    const animal::Animal animal =
+        one_channel("translation", {0, 0.1f, later, 0.2f}, {0, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0});
+    const double key_s = static_cast<double>(0.1f);
+    for (const double time_s : {key_s - 5e-7, key_s, 0.5 * (key_s + static_cast<double>(later)), 0.15})
+        EXPECT_EQ(bones_at(animal, 0, time_s)[0].translation.x, 1.0) << time_s;
+    EXPECT_EQ(bones_at(animal, 0, key_s - 2e-6)[0].translation.x, 0.0);
+}
+
 TEST(Jumps, OfSplinesCompareValuesNotTangents) {
     const std::vector<float> keys{0, 0, 0, 0, 0, 0, 9, 0, 0, 5, 0, 0, 0, 0,
                                   0, 9, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0};

@@ -13,7 +13,8 @@ TEST(Action, IsNamedInWords) {
     EXPECT_EQ(text_of(kMeets), "meets the bound");
     EXPECT_EQ(text_of(kSwitchesForm), "switches form");
     EXPECT_EQ(text_of(kSwitchesAndAddsRows), "switches form, adds rows");
-    EXPECT_EQ(text_of({.adds_rows = true, .cuts = true}), "adds rows, cuts");
+    EXPECT_EQ(text_of(kSlots), "slots");
+    EXPECT_EQ(text_of({.adds_rows = true, .has_slots = true, .cuts = true}), "adds rows, slots, cuts");
     EXPECT_EQ(text_of(kMisses), "misses the bound");
     EXPECT_EQ(text_of(refuses(IssueCode::lim_bound)), "refuses: E-LIM-BOUND");
 }
@@ -34,7 +35,8 @@ TEST(Difference, NamesEveryKind) {
                           kAddsRows,
                           kSwitchesAndAddsRows,
                           kMisses,
-                          {.cuts = true},
+                          kSlots,
+                          kCuts,
                           refuses(IssueCode::lim_bound),
                           refuses(IssueCode::glb_quat)};
     for (const Action& expected : all)

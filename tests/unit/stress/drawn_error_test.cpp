@@ -85,15 +85,43 @@ TEST(DrawnError, CountsSubnormalHalvesAsZero) {
     EXPECT_LT(drawn(spec, kMat4Floats, 10.0).error.all.max, 1e-5) << "of floats nothing is";
 }
 
-TEST(DrawnError, SeesRowNumbersInHalves) {
+TEST(DrawnError, SeesPhasesInHalves) {
     ModelSpec spec = support::one_bone();
     std::vector<float> places;
     for (int k = 0; k < 2101; ++k) places.insert(places.end(), {k % 2 == 0 ? 0.0f : 1.0f, 0, 0});
     spec.clips = {{"Shake", {{0, "translation", support::grid(2101, 30), places}}}};
     EXPECT_LT(drawn(spec, kMat4Floats, 30.0).error.all.max, 5e-3) << "rows lie at the keys";
-    const Drawn halves = drawn(spec, kMat4Floats, 30.0, {.has_half_rows = true});
-    EXPECT_NEAR(halves.error.rows.max * static_cast<double>(halves.record.radius_m), 1.0, 1e-4)
-        << "row 2,049 is read as 2,048";
+    const Drawn halves = drawn(spec, kMat4Floats, 30.0, {.has_half_phase = true});
+    EXPECT_NEAR(halves.error.all.max * static_cast<double>(halves.record.radius_m), 0.5, 0.05)
+        << "phases behind the middle step by a row: half a row is lost";
+}
+
+// A body that shakes for five keys of 64.
+ModelSpec shaking() {
+    ModelSpec spec = support::one_bone({1, 0, 0, 0, 1, 0, 0, 0, 1});
+    std::vector<std::array<float, 4>> rotations;
+    for (int k = 0; k < 65; ++k)
+        rotations.push_back(turn(k >= 30 && k < 36 ? (k % 2 == 0 ? 50.0 : -50.0) : 0.2 * k, 0, 0, 1));
+    spec.clips = {{"Shake", {{0, "rotation", support::grid(65, 30), turns(rotations)}}}};
+    return spec;
+}
+
+TEST(DrawnError, OfRunsAndSlotsIsWhatTheBoundAllows) {
+    for (const bool has_slots : {false, true}) {
+        const ModelSpec spec = has_slots ? shaking() : turning();
+        recipe::AnimalEntry entry = entry_for({}, 30.0);
+        entry.clips.front().rate_hz.reset();
+        entry.output.bound = recipe::ErrorBound{{2e-2}, {}, {}};
+        const auto baked = bake::bake_animal(entry, support::glb_of(spec), {});
+        ASSERT_TRUE(baked) << base::format_issue(baked.issue());
+        const recipe::ClipRecord& clip = baked.value().record.clips.front();
+        EXPECT_EQ(clip.row_scheme, has_slots ? "slots" : "runs");
+        const auto error = measure_drawn(support::animal_of(spec), baked.value().container, {});
+        ASSERT_TRUE(error);
+        EXPECT_NEAR(error.value().all.max, static_cast<double>(clip.error.max), 1e-3) << clip.row_scheme;
+        EXPECT_GT(error.value().all.max, 5e-3) << clip.row_scheme;
+        EXPECT_EQ(error.value().rows.max, 0.0) << "bones share no rows";
+    }
 }
 
 TEST(DrawnError, OfBytesThatAreNoContainerIsRefused) {

@@ -29,11 +29,12 @@ TEST(StressList, NamesEveryCase) {
 }
 
 TEST(StressText, HasALineACaseAndSaysWhatHappens) {
-    const std::string text =
-        stress_text(results_of({"one_metre", "shear", "falling_keys", "spin_180_a_row"}));
-    for (const char* part : {"Places and sizes\n", "\none_metre ", "meets the bound\n", "\nshear ",
-                             "SIMILARITY", "switches form to affine 16F\n", "refuses: E-GLB-TIMES\n",
-                             "adds rows: 41\n", "4 cases: 4 as expected, 0 not."})
+    const std::string text = stress_text(
+        results_of({"one_metre", "shear", "falling_keys", "spin_180_a_row", "step_among_curves"}));
+    for (const char* part :
+         {"Places and sizes\n", "\none_metre ", "meets the bound\n", "\nshear ", "SIMILARITY",
+          "switches form to affine 16F\n", "refuses: E-GLB-TIMES\n", " of 44  adds rows\n",
+          " of 124  slots, cuts\n", "5 cases: 5 as expected, 0 not."})
         EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
     EXPECT_EQ(text.find("Readers"), std::string::npos) << "groups without a case are left out";
 }
@@ -49,7 +50,7 @@ TEST(StressText, MarksWhatDiffers) {
 TEST(StressDetails, HaveEveryFormAndTheSentence) {
     const std::string text = stress_details(results_of({"shear", "step_off_the_grid"}));
     for (const Form& form : all_forms()) EXPECT_NE(text.find("\n" + label_of(form)), std::string::npos);
-    for (const char* part : {"E-LIM-SIMILARITY", "chosen: affine 16F, 31 rows",
+    for (const char* part : {"E-LIM-SIMILARITY", "chosen: affine 16F, ", " of 155 bone-rows in runs, ",
                              "error[E-LIM-BOUND]: step_off_the_grid: ", "remark: W-CLIP-RATE"})
         EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
 }
@@ -64,6 +65,9 @@ TEST(StressJson, SaysAllOfACase) {
     const nlohmann::json& shear = json.at("cases").at(0);
     EXPECT_EQ(shear.at("forms").size(), 12u);
     EXPECT_EQ(shear.at("chosen").at("encoding"), "affine");
+    EXPECT_EQ(shear.at("chosen").at("row_scheme"), "runs");
+    EXPECT_EQ(shear.at("chosen").at("bone_rows_at_start"), 155) << "31 rows of 5 bones";
+    EXPECT_LT(shear.at("chosen").at("bone_rows"), 155);
     EXPECT_EQ(shear.at("found").at("switches_form"), true);
     EXPECT_EQ(shear.at("difference"), nullptr);
     const auto refused = std::count_if(shear.at("forms").begin(), shear.at("forms").end(),

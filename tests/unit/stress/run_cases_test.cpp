@@ -38,16 +38,21 @@ TEST(RunCase, MeasuresEveryFormAndTheChosenOne) {
     }
     ASSERT_TRUE(result.chosen);
     EXPECT_EQ(result.chosen->form, Form{});
+    EXPECT_FALSE(result.chosen->has_slots);
+    EXPECT_EQ(result.chosen->start_bone_row_count, 31u * 4);
+    EXPECT_LT(result.chosen->bone_row_count, 31u * 4);
+    EXPECT_GT(result.chosen->drawn.all.max, result.forms[5].drawn.all.max) << "what room there is is used";
     EXPECT_EQ(result.difference, "");
 }
 
 // Each expectation of these cases, replaced by another one.
 TEST(RunCase, TellsWhenAnActionDiffers) {
-    for (const char* name : {"one_metre", "shear", "spin_170_a_row", "travel_30_m", "falling_keys",
-                             "step_off_the_grid", "raw_clock_after_a_day"}) {
+    for (const char* name :
+         {"one_metre", "shear", "spin_170_a_row", "travel_30_m", "falling_keys", "step_off_the_grid",
+          "raw_clock_after_a_day", "spring_100_ms", "step_among_curves"}) {
         EXPECT_EQ(result_of(case_named(name)).difference, "") << name;
         for (const Action& other :
-             {kMeets, kSwitchesForm, kAddsRows, kMisses, refuses(IssueCode::lim_work)}) {
+             {kMeets, kSwitchesForm, kAddsRows, kSlots, kCuts, kMisses, refuses(IssueCode::lim_work)}) {
             StressCase falsified = case_named(name);
             if (falsified.expected.action == other) continue;
             falsified.expected = {other};
@@ -63,6 +68,33 @@ TEST(RunCase, TellsWhenASentenceOrAWarningIsMissing) {
     StressCase warning = case_named("one_metre");
     warning.expected.warning = IssueCode::warn_rate;
     EXPECT_NE(result_of(warning).difference, "");
+}
+
+// Jumps at keys: each is a cut.
+TEST(RunCase, CountsTheJumpsThatRowsEndInFrontOf) {
+    EXPECT_EQ(result_of(case_named("step_among_curves")).chosen->cut_count, 1u);
+    EXPECT_EQ(result_of(case_named("spring_100_ms")).chosen->cut_count, 0u);
+    StressCase three = case_named("step_among_curves");
+    three.build = [] {
+        RawModel model = reed();
+        std::vector<RawChannel> channels = swaying(model, grid(31, kKeyHz), kSwayDegrees, 1.0);
+        channels.push_back(moving(0, grid(4, 3.0), [](double time_s) { return Vec3(time_s, 0.0, 0.0); }));
+        channels.back().interpolation = Interpolation::step;
+        return with_clip(model, channels);
+    };
+    three.start.wrap = recipe::Wrap::loop;
+    EXPECT_EQ(result_of(three).chosen->cut_count, 3u) << "the last in front of an open seam";
+}
+
+// A rate is a start, and no wish beside a bound.
+TEST(UnderABound, NoRateIsAskedFor) {
+    const recipe::AnimalEntry entry = entry_of(case_named("spin_24_a_row"));
+    ASSERT_TRUE(entry.clips.front().rate_hz);
+    const recipe::AnimalEntry bounded = under_bound(entry, {2e-2, 5e-3});
+    EXPECT_FALSE(bounded.clips.front().rate_hz);
+    EXPECT_EQ(bounded.output.bound->max.value, 2e-2);
+    EXPECT_EQ(bounded.output.bound->p999->value, 5e-3);
+    EXPECT_FALSE(bounded.output.bound->rms);
 }
 
 TEST(RunCase, AFinerBoundAsksForMore) {
