@@ -21,12 +21,19 @@ def attributes(glb, primitive, prefix):
     return np.concatenate(found, axis=1)
 
 
-def largest_influences(joints, weights, count):
-    """The `count` largest weights of each vertex, falling, with the sum 1, and their joints."""
+def largest_influences(joints, weights, positions, count):
+    """The `count` largest weights of each vertex, falling, with the sum 1, and their joints. Weights that are none (NaN,
+    infinite, negative) count as 0, and a vertex without weights has those of the nearest that has some: the repairs of
+    E-GLB-WEIGHTS in docs/issues.md."""
+    weights = np.where(np.isfinite(weights) & (weights > 0.0), weights, 0.0)
     order = np.argsort(-weights, axis=1, kind="stable")[:, :count]
     joints, weights = np.take_along_axis(joints, order, 1), np.take_along_axis(weights, order, 1)
-    if not np.all(weights[:, 0] > 0.0):
-        raise ValueError("expected a weight above 0 at every vertex")
+    weighted = np.flatnonzero(weights[:, 0] > 0.0)
+    if len(weighted) == 0:
+        raise ValueError("expected a vertex with weights")
+    for vertex in np.flatnonzero(weights[:, 0] <= 0.0):
+        nearest = weighted[np.argmin(np.sum((positions[weighted] - positions[vertex])**2, axis=1))]
+        joints[vertex], weights[vertex] = joints[nearest], weights[nearest]
     return joints, weights / weights.sum(axis=1, keepdims=True)
 
 
@@ -68,20 +75,20 @@ class Skin:
         self.inverse_binds += list(inverse_binds)
         self.spaces += [affine(mesh["palette_from_mesh"])] * len(joints)
         primitives = self.glb.json["meshes"][mesh["mesh"]]["primitives"]
-        positions = [self.glb.accessor(p["attributes"]["POSITION"]) for p in primitives]
-        positions = np.concatenate(positions).astype(np.float64)
-        if len(positions) != mesh["vertex_count"]:
-            raise ValueError(f"mesh {number}: expected {mesh['vertex_count']} vertices, found {len(positions)}")
-        places = np.stack([np.full(len(positions), number), np.arange(len(positions))], axis=1)
+        positions = [self.glb.accessor(p["attributes"]["POSITION"]).astype(np.float64) for p in primitives]
+        if sum(map(len, positions)) != mesh["vertex_count"]:
+            raise ValueError(f"mesh {number}: expected {mesh['vertex_count']} vertices, found others")
+        places = np.array([[number, vertex] for vertex in range(mesh["vertex_count"])])
         if mesh["skin"] == NONE:
-            return places, np.full((len(positions), 1), first), np.ones((len(positions), 1)), positions
-        chosen = [largest_influences(attributes(self.glb, p, "JOINTS"), attributes(self.glb, p, "WEIGHTS"),
-                                     influence_count) for p in primitives]
+            ones = np.ones((len(places), 1))
+            return places, first * ones.astype(np.int64), ones, np.concatenate(positions)
+        chosen = [largest_influences(attributes(self.glb, p, "JOINTS"), attributes(self.glb, p, "WEIGHTS"), own,
+                                     influence_count) for p, own in zip(primitives, positions)]
         bindings = np.concatenate([padded(joints, influence_count) for joints, _ in chosen]) + first
         weights = np.concatenate([padded(weights, influence_count) for _, weights in chosen])
         if np.any((np.array(self.bones)[bindings] == NO_BONE) & (weights > 0.0)):
             raise ValueError(f"mesh {number}: expected a bone for every joint with a weight")
-        return places, np.where(weights > 0.0, bindings, first), weights, positions
+        return places, np.where(weights > 0.0, bindings, first), weights, np.concatenate(positions)
 
     def box(self, binding):
         """Eight corners about the vertices that a binding moves, in its mesh space; None where it moves none."""
