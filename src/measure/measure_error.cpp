@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/trig.hpp"
+#include "measure/closer_times.hpp"
 #include "measure/lane_poses.hpp"
 #include "measure/skin_difference.hpp"
 #include "measure/test_times.hpp"
@@ -94,21 +95,19 @@ class ClipMeter {
           points_(in_radii(poses_.bindings().bind(points), inverse_radius_)),
           normals_(poses_.bindings().bind(normals)) {}
 
-    // `parts` receives how finely the clip was looked at in the end.
+    // `look` receives when the clip was looked at in the end.
     // Errors: E-LIM-WORK, before the work is done.
-    base::Result<ClipError> measure(const palette::PaletteClip& clip, Tally& tally, Parts& parts) {
+    base::Result<ClipError> measure(const palette::PaletteClip& clip, Tally& tally, Look& look) {
         motion::ClipSampler sampler(animal_, animal_.clips[clip.source]);
-        parts = Parts::quarters;
-        if (sampler.has_splines()) return measure(clip, sampler, Parts::quarters, tally);
-        parts = Parts::halves;
-        auto error = measure(clip, sampler, Parts::halves, tally);
-        if (!error || !may_bend(clip)) return error;
+        look.parts = sampler.has_splines() ? Parts::quarters : Parts::halves;
+        auto error = measure(clip, sampler, tally, look);
+        if (!error || look.parts == Parts::quarters || !may_bend(clip)) return error;
         const double bend = largest_bend(animal_, palette_, clip, sampler, moments_);
         if (bend < std::max(kWorthLooking, kShareWorthLooking * static_cast<double>(error.value().max)))
             return error;
         tally.clear();
-        parts = Parts::quarters;
-        return measure(clip, sampler, Parts::quarters, tally);
+        look.parts = Parts::quarters;
+        return measure(clip, sampler, tally, look);
     }
 
     // The figures of a tally; places are left out.
@@ -128,28 +127,55 @@ class ClipMeter {
 
  private:
     base::Result<ClipError> measure(const palette::PaletteClip& clip, motion::ClipSampler& sampler,
-                                    Parts parts, Tally& tally) {
+                                    Tally& tally, Look& look) {
         const std::vector<double> times_s =
-            test_times_s(clip, sampler.key_times_s(), sampler.jump_times_s(), parts);
-        if (auto status = take_samples(times_s.size(), animal_.clips[clip.source].name); !status)
+            test_times_s(clip, sampler.key_times_s(), sampler.jump_times_s(), look.parts);
+        if (auto status = take_samples(times_s.size() * (points_.size() + normals_.size()), clip); !status)
             return status.issue();
-        tally.weight = parts == Parts::halves ? 2 : 1;
+        tally.weight = look.parts == Parts::halves ? 2 : 1;
         Worst worst_point, worst_normal;
+        std::vector<Moment> moments;
         for (std::size_t first = 0; first < times_s.size(); first += kLanes) {
             const auto batch = std::span(times_s).subspan(first, std::min(kLanes, times_s.size() - first));
             for (std::size_t l = 0; l < batch.size(); ++l) poses_.fill(sampler, clip, batch[l], l);
-            worst_point.take(
-                measure_points(points_, poses_.difference(), batch.size(), tally.distances, tally.sum),
-                batch);
+            const LaneWorst lanes =
+                measure_points(points_, poses_.difference(), batch.size(), tally.distances, tally.sum);
+            worst_point.take(lanes, batch);
+            for (std::size_t l = 0; l < batch.size(); ++l) moments.push_back({batch[l], lanes.value[l]});
             worst_normal.take(measure_normals(normals_, poses_.difference(), poses_.exact(), batch.size(),
                                               tally.half_tangents),
                               batch);
             tally.point_samples += batch.size() * points_.size();
             tally.normal_samples += batch.size() * normals_.size();
         }
+        look.closer_s.clear();
+        for (const double share : kCloserShares)
+            if (auto status = look_closer(clip, sampler, share, moments, worst_point, look); !status)
+                return status.issue();
         ClipError error = figures(tally);
         locate(sampler, clip, worst_point, worst_normal, error);
         return error;
+    }
+
+    // Measures the points alone where they may be further off than `worst`, and adds what is seen to
+    // `moments`. Only the largest error comes of it: times that were chosen for their errors have no say in
+    // the others.
+    base::Status look_closer(const palette::PaletteClip& clip, motion::ClipSampler& sampler, double share,
+                             std::vector<Moment>& moments, Worst& worst, Look& look) {
+        const std::vector<double> times_s = closer_times_s(moments, share);
+        if (auto status = take_samples(times_s.size() * points_.size(), clip); !status) return status;
+        for (std::size_t first = 0; first < times_s.size(); first += kLanes) {
+            const auto batch = std::span(times_s).subspan(first, std::min(kLanes, times_s.size() - first));
+            for (std::size_t l = 0; l < batch.size(); ++l) poses_.fill(sampler, clip, batch[l], l);
+            const LaneWorst lanes = largest_points(points_, poses_.difference());
+            worst.take(lanes, batch);
+            for (std::size_t l = 0; l < batch.size(); ++l) moments.push_back({batch[l], lanes.value[l]});
+        }
+        std::sort(moments.begin(), moments.end(),
+                  [](const Moment& a, const Moment& b) { return a.time_s < b.time_s; });
+        look.closer_s.insert(look.closer_s.end(), times_s.begin(), times_s.end());
+        std::sort(look.closer_s.begin(), look.closer_s.end());
+        return {};
     }
 
     // Whether blends between rows may leave the arc of an even turn.
@@ -158,11 +184,10 @@ class ClipMeter {
         return encoding == POSEPACK_ENCODING_DUALQUAT && !clip.plan.step && clip.plan.row_count > 1;
     }
 
-    base::Status take_samples(std::size_t time_count, const std::string& clip) {
-        const std::uint64_t wanted = std::uint64_t{time_count} * (points_.size() + normals_.size());
+    base::Status take_samples(std::uint64_t wanted, const palette::PaletteClip& clip) {
         if (wanted > samples_left_)
             return base::Issue{
-                base::IssueCode::lim_work, clip,
+                base::IssueCode::lim_work, animal_.clips[clip.source].name,
                 fmt::format(
                     "expected at most {} places (times x vertices and normals) left to measure, found {}",
                     samples_left_, wanted)};
@@ -223,8 +248,8 @@ base::Result<ErrorStats> measure_error(const Animal& animal, const palette::Pale
     Tally all, one;
     for (std::uint32_t c = 0; c < palette.clips.size(); ++c) {
         one.clear();
-        Parts parts{};
-        const auto measured = meter.measure(palette.clips[c], one, parts);
+        Look look;
+        const auto measured = meter.measure(palette.clips[c], one, look);
         if (!measured) return measured.issue();
         const ClipError& error = measured.value();
         if (!std::isfinite(error.max) || !std::isfinite(error.rms))
@@ -235,7 +260,7 @@ base::Result<ErrorStats> measure_error(const Animal& animal, const palette::Pale
         stats.normal_samples += one.normal_samples;
         if (stats.clips.empty() || error.max > stats.clips[stats.worst_clip].max) stats.worst_clip = c;
         stats.clips.push_back(error);
-        stats.parts.push_back(parts);
+        stats.looks.push_back(std::move(look));
     }
     stats.pooled = stats.clips.empty() ? ClipError{} : stats.clips[stats.worst_clip];
     const ClipError pooled = meter.figures(all);
