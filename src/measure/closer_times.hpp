@@ -8,19 +8,14 @@
 
 namespace posepack::measure {
 
-// How much of the largest error so far one end of a span must show, at the first look and at the second. The
-// first is the share up to which a bend that hides between two times is left alone (measure_error.cpp); the
-// second goes to the top of what the first has found.
-inline constexpr double kCloserShares[] = {0.5, 0.9};
-
 // The largest squared distance of a vertex at one time.
 struct Moment {
     double time_s;
     float square;
 };
 
-// The quarters of every span between two of `moments` (rising) of which an end has at least `share` of the
-// largest distance, rising. Spans of some microseconds, beside a jump, have none.
-std::vector<double> closer_times_s(std::span<const Moment> moments, double share);
+// The quarters of every span between two of `moments` (rising) of which one end has at least `share` of the
+// largest distance and the other `other_share`, rising. Spans of some microseconds, beside a jump, have none.
+std::vector<double> closer_times_s(std::span<const Moment> moments, double share, double other_share);
 
 }  // namespace posepack::measure

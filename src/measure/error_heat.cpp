@@ -44,7 +44,7 @@ Bins bins_of(std::vector<double> times_s, double bin_width_s) {
 
 // The bin of a time that is none of those the bins were made of.
 std::size_t bin_between(std::span<const double> edges_s, double time_s) {
-    const auto behind = std::upper_bound(edges_s.begin() + 1, edges_s.end() - 1, time_s);
+    const auto behind = std::lower_bound(edges_s.begin() + 1, edges_s.end() - 1, time_s);
     return static_cast<std::size_t>(behind - edges_s.begin()) - 1;
 }
 

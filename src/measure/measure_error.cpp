@@ -28,6 +28,17 @@ constexpr double kDegrees = 180.0 / base::kPi;
 // half way, where a bend shows nothing.
 constexpr double kWorthLooking = 3e-4;
 constexpr double kShareWorthLooking = 0.5;
+// A span is looked at closer where its ends show these shares of the largest error. Bends and splines may
+// have more in between than at either end, up to what is said above. Others are arcs: one that is zero at a
+// mark, and half way to the next and there a and b of the largest, goes 1 % beyond both where b is 0.4 a, and
+// an eighth where b is a.
+struct CloserRule {
+    double share, other_share;
+};
+constexpr CloserRule kForBends{kShareWorthLooking, 0.0};
+constexpr CloserRule kForArcs{0.8, 0.4};
+// The second time, for the top of what the first has found.
+constexpr double kShareOfTheTop = 0.9;
 
 // The largest value so far, the time it was seen and the set entry it was seen at.
 struct Worst {
@@ -38,6 +49,17 @@ struct Worst {
     void take(const LaneWorst& lanes, std::span<const double> times_s) {
         for (std::size_t l = 0; l < times_s.size(); ++l)
             if (lanes.value[l] > square) *this = {lanes.value[l], times_s[l], lanes.entry[l]};
+    }
+};
+
+// What was seen of a clip at the times looked at.
+struct Seen {
+    Worst point, normal;
+    std::vector<Moment> moments;  // of points
+
+    void take(const LaneWorst& lanes, std::span<const double> times_s) {
+        point.take(lanes, times_s);
+        for (std::size_t l = 0; l < times_s.size(); ++l) moments.push_back({times_s[l], lanes.value[l]});
     }
 };
 
@@ -100,14 +122,22 @@ class ClipMeter {
     base::Result<ClipError> measure(const palette::PaletteClip& clip, Tally& tally, Look& look) {
         motion::ClipSampler sampler(animal_, animal_.clips[clip.source]);
         look.parts = sampler.has_splines() ? Parts::quarters : Parts::halves;
-        auto error = measure(clip, sampler, tally, look);
-        if (!error || look.parts == Parts::quarters || !may_bend(clip)) return error;
-        const double bend = largest_bend(animal_, palette_, clip, sampler, moments_);
-        if (bend < std::max(kWorthLooking, kShareWorthLooking * static_cast<double>(error.value().max)))
-            return error;
-        tally.clear();
-        look.parts = Parts::quarters;
-        return measure(clip, sampler, tally, look);
+        auto seen = measure(clip, sampler, look.parts, tally);
+        if (!seen) return seen.issue();
+        if (look.parts == Parts::halves && hides_bends(clip, sampler, seen.value())) {
+            tally.clear();
+            look.parts = Parts::quarters;
+            seen = measure(clip, sampler, look.parts, tally);
+            if (!seen) return seen.issue();
+        }
+        const CloserRule rule = may_bend(clip) || sampler.has_splines() ? kForBends : kForArcs;
+        for (const double share : {rule.share, kShareOfTheTop})
+            if (auto status = look_closer(clip, sampler, {share, rule.other_share}, seen.value(), look);
+                !status)
+                return status.issue();
+        ClipError error = figures(tally);
+        locate(sampler, clip, seen.value(), error);
+        return error;
     }
 
     // The figures of a tally; places are left out.
@@ -126,52 +156,41 @@ class ClipMeter {
     }
 
  private:
-    base::Result<ClipError> measure(const palette::PaletteClip& clip, motion::ClipSampler& sampler,
-                                    Tally& tally, Look& look) {
+    base::Result<Seen> measure(const palette::PaletteClip& clip, motion::ClipSampler& sampler, Parts parts,
+                               Tally& tally) {
         const std::vector<double> times_s =
-            test_times_s(clip, sampler.key_times_s(), sampler.jump_times_s(), look.parts);
+            test_times_s(clip, sampler.key_times_s(), sampler.jump_times_s(), parts);
         if (auto status = take_samples(times_s.size() * (points_.size() + normals_.size()), clip); !status)
             return status.issue();
-        tally.weight = look.parts == Parts::halves ? 2 : 1;
-        Worst worst_point, worst_normal;
-        std::vector<Moment> moments;
+        tally.weight = parts == Parts::halves ? 2 : 1;
+        Seen seen;
         for (std::size_t first = 0; first < times_s.size(); first += kLanes) {
             const auto batch = std::span(times_s).subspan(first, std::min(kLanes, times_s.size() - first));
             for (std::size_t l = 0; l < batch.size(); ++l) poses_.fill(sampler, clip, batch[l], l);
             const LaneWorst lanes =
                 measure_points(points_, poses_.difference(), batch.size(), tally.distances, tally.sum);
-            worst_point.take(lanes, batch);
-            for (std::size_t l = 0; l < batch.size(); ++l) moments.push_back({batch[l], lanes.value[l]});
-            worst_normal.take(measure_normals(normals_, poses_.difference(), poses_.exact(), batch.size(),
-                                              tally.half_tangents),
-                              batch);
+            seen.take(lanes, batch);
+            seen.normal.take(measure_normals(normals_, poses_.difference(), poses_.exact(), batch.size(),
+                                             tally.half_tangents),
+                             batch);
             tally.point_samples += batch.size() * points_.size();
             tally.normal_samples += batch.size() * normals_.size();
         }
-        look.closer_s.clear();
-        for (const double share : kCloserShares)
-            if (auto status = look_closer(clip, sampler, share, moments, worst_point, look); !status)
-                return status.issue();
-        ClipError error = figures(tally);
-        locate(sampler, clip, worst_point, worst_normal, error);
-        return error;
+        return seen;
     }
 
-    // Measures the points alone where they may be further off than `worst`, and adds what is seen to
-    // `moments`. Only the largest error comes of it: times that were chosen for their errors have no say in
-    // the others.
-    base::Status look_closer(const palette::PaletteClip& clip, motion::ClipSampler& sampler, double share,
-                             std::vector<Moment>& moments, Worst& worst, Look& look) {
-        const std::vector<double> times_s = closer_times_s(moments, share);
+    // Measures the points alone where they may be further off than all that was seen. Only the
+    // largest error comes of it: times that were chosen for their errors have no say in the others.
+    base::Status look_closer(const palette::PaletteClip& clip, motion::ClipSampler& sampler, CloserRule rule,
+                             Seen& seen, Look& look) {
+        const std::vector<double> times_s = closer_times_s(seen.moments, rule.share, rule.other_share);
         if (auto status = take_samples(times_s.size() * points_.size(), clip); !status) return status;
         for (std::size_t first = 0; first < times_s.size(); first += kLanes) {
             const auto batch = std::span(times_s).subspan(first, std::min(kLanes, times_s.size() - first));
             for (std::size_t l = 0; l < batch.size(); ++l) poses_.fill(sampler, clip, batch[l], l);
-            const LaneWorst lanes = largest_points(points_, poses_.difference());
-            worst.take(lanes, batch);
-            for (std::size_t l = 0; l < batch.size(); ++l) moments.push_back({batch[l], lanes.value[l]});
+            seen.take(largest_points(points_, poses_.difference()), batch);
         }
-        std::sort(moments.begin(), moments.end(),
+        std::sort(seen.moments.begin(), seen.moments.end(),
                   [](const Moment& a, const Moment& b) { return a.time_s < b.time_s; });
         look.closer_s.insert(look.closer_s.end(), times_s.begin(), times_s.end());
         std::sort(look.closer_s.begin(), look.closer_s.end());
@@ -182,6 +201,14 @@ class ClipMeter {
     bool may_bend(const palette::PaletteClip& clip) const {
         const std::uint8_t encoding = clip.runs.is_empty() ? palette_.layout.encoding : clip.runs.encoding;
         return encoding == POSEPACK_ENCODING_DUALQUAT && !clip.plan.step && clip.plan.row_count > 1;
+    }
+
+    // Whether a bend may be larger than what was seen half way, where bends show nothing.
+    bool hides_bends(const palette::PaletteClip& clip, motion::ClipSampler& sampler, const Seen& seen) {
+        if (!may_bend(clip)) return false;
+        const double largest = std::sqrt(static_cast<double>(std::max(seen.point.square, 0.0f)));
+        const double bend = largest_bend(animal_, palette_, clip, sampler, moments_);
+        return bend >= std::max(kWorthLooking, kShareWorthLooking * largest);
     }
 
     base::Status take_samples(std::uint64_t wanted, const palette::PaletteClip& clip) {
@@ -195,8 +222,9 @@ class ClipMeter {
         return {};
     }
 
-    void locate(motion::ClipSampler& sampler, const palette::PaletteClip& clip, const Worst& point,
-                const Worst& normal, ClipError& error) {
+    void locate(motion::ClipSampler& sampler, const palette::PaletteClip& clip, const Seen& seen,
+                ClipError& error) {
+        const auto& [point, normal, moments] = seen;
         if (points_.size() > 0) {
             const Place place = place_of(animal_, points_, point.entry);
             poses_.fill(sampler, clip, point.time_s, 0);
