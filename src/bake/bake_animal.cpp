@@ -277,11 +277,11 @@ animal::ReadOptions read_options(const recipe::AnimalEntry& entry, const AnimalO
 // Bins of equal width over all clips, `columns` of them in all.
 base::Result<measure::ErrorHeat> heat_of(const Animal& animal, const Palette& palette,
                                          std::span<const std::uint8_t> container,
-                                         const motion::SkinSet& points, std::span<const measure::Parts> parts,
+                                         const motion::SkinSet& points, std::span<const measure::Look> looks,
                                          std::uint32_t columns) {
     double total_s = 0.0;
     for (const palette::PaletteClip& clip : palette.clips) total_s += clip.plan.duration_s;
-    return measure::measure_heat(animal, palette, container, points, parts,
+    return measure::measure_heat(animal, palette, container, points, looks,
                                  total_s > 0.0 ? total_s / columns : 1.0);
 }
 
@@ -325,7 +325,7 @@ base::Result<BakedAnimal> bake_animal(const recipe::AnimalEntry& entry, std::spa
             measure::measure_error(animal.value(), palette.value(), baked.container, points, normals);
         if (!stats) return base::at(entry.id, stats.issue());
         if (options.heat_columns > 0) {
-            auto heat = heat_of(animal.value(), palette.value(), baked.container, points, stats.value().parts,
+            auto heat = heat_of(animal.value(), palette.value(), baked.container, points, stats.value().looks,
                                 options.heat_columns);
             if (!heat) return base::at(entry.id, heat.issue());
             baked.heat = std::move(heat).value();

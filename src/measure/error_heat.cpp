@@ -42,6 +42,12 @@ Bins bins_of(std::vector<double> times_s, double bin_width_s) {
     return bins;
 }
 
+// The bin of a time that is none of those the bins were made of.
+std::size_t bin_between(std::span<const double> edges_s, double time_s) {
+    const auto behind = std::lower_bound(edges_s.begin() + 1, edges_s.end() - 1, time_s);
+    return static_cast<std::size_t>(behind - edges_s.begin()) - 1;
+}
+
 // Takes the squared distances of every point at the times of `batch` into `squares` [bin * bones + bone].
 void take_points(const SkinSet& set, const LanePoses& poses, std::span<const std::size_t> batch_bins,
                  std::size_t bone_count, std::vector<float>& squares) {
@@ -66,14 +72,18 @@ void take_points(const SkinSet& set, const LanePoses& poses, std::span<const std
 }
 
 ClipHeat clip_heat(LanePoses& poses, motion::ClipSampler& sampler, const palette::PaletteClip& clip,
-                   const Bins& bins, const SkinSet& points, std::size_t bone_count) {
+                   const Bins& bins, std::span<const double> closer_s, const SkinSet& points,
+                   std::size_t bone_count) {
     ClipHeat heat{bins.edges_s(), std::vector<float>(bins.count * bone_count)};
     std::array<std::size_t, kLanes> lane_bins{};
-    for (std::size_t first = 0; first < bins.times_s.size(); first += kLanes) {
-        const std::size_t lanes = std::min(kLanes, bins.times_s.size() - first);
+    const std::size_t even_count = bins.times_s.size(), count = even_count + closer_s.size();
+    for (std::size_t first = 0; first < count; first += kLanes) {
+        const std::size_t lanes = std::min(kLanes, count - first);
         for (std::size_t l = 0; l < lanes; ++l) {
-            poses.fill(sampler, clip, bins.times_s[first + l], l);
-            lane_bins[l] = bins.bin_of(first + l);
+            const std::size_t i = first + l;
+            const double time_s = i < even_count ? bins.times_s[i] : closer_s[i - even_count];
+            poses.fill(sampler, clip, time_s, l);
+            lane_bins[l] = i < even_count ? bins.bin_of(i) : bin_between(heat.edges_s, time_s);
         }
         take_points(points, poses, std::span(lane_bins).first(lanes), bone_count, heat.errors);
     }
@@ -85,7 +95,7 @@ ClipHeat clip_heat(LanePoses& poses, motion::ClipSampler& sampler, const palette
 
 base::Result<ErrorHeat> measure_heat(const animal::Animal& animal, const palette::Palette& palette,
                                      std::span<const std::uint8_t> container, const SkinSet& points,
-                                     std::span<const Parts> parts, double bin_width_s) {
+                                     std::span<const Look> looks, double bin_width_s) {
     posepack_view view;
     if (const posepack_result result = posepack_open(&view, container.data(), container.size());
         result != POSEPACK_OK)
@@ -100,16 +110,17 @@ base::Result<ErrorHeat> measure_heat(const animal::Animal& animal, const palette
     std::uint64_t samples = 0;
     for (const palette::PaletteClip& clip : palette.clips) {
         motion::ClipSampler sampler(animal, animal.clips[clip.source]);
-        const Parts of_clip = parts[heat.clips.size()];
-        const Bins bins =
-            bins_of(test_times_s(clip, sampler.key_times_s(), sampler.jump_times_s(), of_clip), bin_width_s);
-        samples += std::uint64_t{bins.times_s.size()} * points.size();
+        const Look& look = looks[heat.clips.size()];
+        const Bins bins = bins_of(
+            test_times_s(clip, sampler.key_times_s(), sampler.jump_times_s(), look.parts), bin_width_s);
+        samples += std::uint64_t{bins.times_s.size() + look.closer_s.size()} * points.size();
         if (samples > kMaxSamples)
             return base::Issue{
                 base::IssueCode::lim_work, animal.clips[clip.source].name,
                 fmt::format("expected at most {} places (times x vertices) to measure, found {}", kMaxSamples,
                             samples)};
-        heat.clips.push_back(clip_heat(poses, sampler, clip, bins, bound, animal.bones.size()));
+        heat.clips.push_back(
+            clip_heat(poses, sampler, clip, bins, look.closer_s, bound, animal.bones.size()));
     }
     return heat;
 }

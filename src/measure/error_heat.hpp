@@ -31,12 +31,12 @@ struct ErrorHeat {
 
 // Measures at the times of measure_error(): the largest number of a clip is its ClipError::max, bit for bit.
 //   points       of the animal
-//   parts        of every clip, as measure_error() tells
+//   looks        of every clip, as measure_error() tells
 //   bin_width_s  wished width of a bin, above 0
 // Errors: E-LIM-WORK beyond kMaxSamples of measure_error.hpp, E-INTERNAL when the loader refuses the bytes.
 // Cost: as measuring the points in measure_error().
 base::Result<ErrorHeat> measure_heat(const animal::Animal& animal, const palette::Palette& palette,
                                      std::span<const std::uint8_t> container, const motion::SkinSet& points,
-                                     std::span<const Parts> parts, double bin_width_s);
+                                     std::span<const Look> looks, double bin_width_s);
 
 }  // namespace posepack::measure

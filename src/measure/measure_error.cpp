@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/trig.hpp"
+#include "measure/closer_times.hpp"
 #include "measure/lane_poses.hpp"
 #include "measure/skin_difference.hpp"
 #include "measure/test_times.hpp"
@@ -27,6 +28,17 @@ constexpr double kDegrees = 180.0 / base::kPi;
 // half way, where a bend shows nothing.
 constexpr double kWorthLooking = 3e-4;
 constexpr double kShareWorthLooking = 0.5;
+// A span is looked at closer where its ends show these shares of the largest error. Bends and splines may
+// have more in between than at either end, up to what is said above. Others are arcs: one that is zero at a
+// mark, and half way to the next and there a and b of the largest, goes 1 % beyond both where b is 0.4 a, and
+// an eighth where b is a.
+struct CloserRule {
+    double share, other_share;
+};
+constexpr CloserRule kForBends{kShareWorthLooking, 0.0};
+constexpr CloserRule kForArcs{0.8, 0.4};
+// The second time, for the top of what the first has found.
+constexpr double kShareOfTheTop = 0.9;
 
 // The largest value so far, the time it was seen and the set entry it was seen at.
 struct Worst {
@@ -37,6 +49,17 @@ struct Worst {
     void take(const LaneWorst& lanes, std::span<const double> times_s) {
         for (std::size_t l = 0; l < times_s.size(); ++l)
             if (lanes.value[l] > square) *this = {lanes.value[l], times_s[l], lanes.entry[l]};
+    }
+};
+
+// What was seen of a clip at the times looked at.
+struct Seen {
+    Worst point, normal;
+    std::vector<Moment> moments;  // of points
+
+    void take(const LaneWorst& lanes, std::span<const double> times_s) {
+        point.take(lanes, times_s);
+        for (std::size_t l = 0; l < times_s.size(); ++l) moments.push_back({times_s[l], lanes.value[l]});
     }
 };
 
@@ -94,21 +117,27 @@ class ClipMeter {
           points_(in_radii(poses_.bindings().bind(points), inverse_radius_)),
           normals_(poses_.bindings().bind(normals)) {}
 
-    // `parts` receives how finely the clip was looked at in the end.
+    // `look` receives when the clip was looked at in the end.
     // Errors: E-LIM-WORK, before the work is done.
-    base::Result<ClipError> measure(const palette::PaletteClip& clip, Tally& tally, Parts& parts) {
+    base::Result<ClipError> measure(const palette::PaletteClip& clip, Tally& tally, Look& look) {
         motion::ClipSampler sampler(animal_, animal_.clips[clip.source]);
-        parts = Parts::quarters;
-        if (sampler.has_splines()) return measure(clip, sampler, Parts::quarters, tally);
-        parts = Parts::halves;
-        auto error = measure(clip, sampler, Parts::halves, tally);
-        if (!error || !may_bend(clip)) return error;
-        const double bend = largest_bend(animal_, palette_, clip, sampler, moments_);
-        if (bend < std::max(kWorthLooking, kShareWorthLooking * static_cast<double>(error.value().max)))
-            return error;
-        tally.clear();
-        parts = Parts::quarters;
-        return measure(clip, sampler, Parts::quarters, tally);
+        look.parts = sampler.has_splines() ? Parts::quarters : Parts::halves;
+        auto seen = measure(clip, sampler, look.parts, tally);
+        if (!seen) return seen.issue();
+        if (look.parts == Parts::halves && hides_bends(clip, sampler, seen.value())) {
+            tally.clear();
+            look.parts = Parts::quarters;
+            seen = measure(clip, sampler, look.parts, tally);
+            if (!seen) return seen.issue();
+        }
+        const CloserRule rule = may_bend(clip) || sampler.has_splines() ? kForBends : kForArcs;
+        for (const double share : {rule.share, kShareOfTheTop})
+            if (auto status = look_closer(clip, sampler, {share, rule.other_share}, seen.value(), look);
+                !status)
+                return status.issue();
+        ClipError error = figures(tally);
+        locate(sampler, clip, seen.value(), error);
+        return error;
     }
 
     // The figures of a tally; places are left out.
@@ -127,29 +156,45 @@ class ClipMeter {
     }
 
  private:
-    base::Result<ClipError> measure(const palette::PaletteClip& clip, motion::ClipSampler& sampler,
-                                    Parts parts, Tally& tally) {
+    base::Result<Seen> measure(const palette::PaletteClip& clip, motion::ClipSampler& sampler, Parts parts,
+                               Tally& tally) {
         const std::vector<double> times_s =
             test_times_s(clip, sampler.key_times_s(), sampler.jump_times_s(), parts);
-        if (auto status = take_samples(times_s.size(), animal_.clips[clip.source].name); !status)
+        if (auto status = take_samples(times_s.size() * (points_.size() + normals_.size()), clip); !status)
             return status.issue();
         tally.weight = parts == Parts::halves ? 2 : 1;
-        Worst worst_point, worst_normal;
+        Seen seen;
         for (std::size_t first = 0; first < times_s.size(); first += kLanes) {
             const auto batch = std::span(times_s).subspan(first, std::min(kLanes, times_s.size() - first));
             for (std::size_t l = 0; l < batch.size(); ++l) poses_.fill(sampler, clip, batch[l], l);
-            worst_point.take(
-                measure_points(points_, poses_.difference(), batch.size(), tally.distances, tally.sum),
-                batch);
-            worst_normal.take(measure_normals(normals_, poses_.difference(), poses_.exact(), batch.size(),
-                                              tally.half_tangents),
-                              batch);
+            const LaneWorst lanes =
+                measure_points(points_, poses_.difference(), batch.size(), tally.distances, tally.sum);
+            seen.take(lanes, batch);
+            seen.normal.take(measure_normals(normals_, poses_.difference(), poses_.exact(), batch.size(),
+                                             tally.half_tangents),
+                             batch);
             tally.point_samples += batch.size() * points_.size();
             tally.normal_samples += batch.size() * normals_.size();
         }
-        ClipError error = figures(tally);
-        locate(sampler, clip, worst_point, worst_normal, error);
-        return error;
+        return seen;
+    }
+
+    // Measures the points alone where they may be further off than all that was seen. Only the
+    // largest error comes of it: times that were chosen for their errors have no say in the others.
+    base::Status look_closer(const palette::PaletteClip& clip, motion::ClipSampler& sampler, CloserRule rule,
+                             Seen& seen, Look& look) {
+        const std::vector<double> times_s = closer_times_s(seen.moments, rule.share, rule.other_share);
+        if (auto status = take_samples(times_s.size() * points_.size(), clip); !status) return status;
+        for (std::size_t first = 0; first < times_s.size(); first += kLanes) {
+            const auto batch = std::span(times_s).subspan(first, std::min(kLanes, times_s.size() - first));
+            for (std::size_t l = 0; l < batch.size(); ++l) poses_.fill(sampler, clip, batch[l], l);
+            seen.take(largest_points(points_, poses_.difference()), batch);
+        }
+        std::sort(seen.moments.begin(), seen.moments.end(),
+                  [](const Moment& a, const Moment& b) { return a.time_s < b.time_s; });
+        look.closer_s.insert(look.closer_s.end(), times_s.begin(), times_s.end());
+        std::sort(look.closer_s.begin(), look.closer_s.end());
+        return {};
     }
 
     // Whether blends between rows may leave the arc of an even turn.
@@ -158,11 +203,18 @@ class ClipMeter {
         return encoding == POSEPACK_ENCODING_DUALQUAT && !clip.plan.step && clip.plan.row_count > 1;
     }
 
-    base::Status take_samples(std::size_t time_count, const std::string& clip) {
-        const std::uint64_t wanted = std::uint64_t{time_count} * (points_.size() + normals_.size());
+    // Whether a bend may be larger than what was seen half way, where bends show nothing.
+    bool hides_bends(const palette::PaletteClip& clip, motion::ClipSampler& sampler, const Seen& seen) {
+        if (!may_bend(clip)) return false;
+        const double largest = std::sqrt(static_cast<double>(std::max(seen.point.square, 0.0f)));
+        const double bend = largest_bend(animal_, palette_, clip, sampler, moments_);
+        return bend >= std::max(kWorthLooking, kShareWorthLooking * largest);
+    }
+
+    base::Status take_samples(std::uint64_t wanted, const palette::PaletteClip& clip) {
         if (wanted > samples_left_)
             return base::Issue{
-                base::IssueCode::lim_work, clip,
+                base::IssueCode::lim_work, animal_.clips[clip.source].name,
                 fmt::format(
                     "expected at most {} places (times x vertices and normals) left to measure, found {}",
                     samples_left_, wanted)};
@@ -170,8 +222,9 @@ class ClipMeter {
         return {};
     }
 
-    void locate(motion::ClipSampler& sampler, const palette::PaletteClip& clip, const Worst& point,
-                const Worst& normal, ClipError& error) {
+    void locate(motion::ClipSampler& sampler, const palette::PaletteClip& clip, const Seen& seen,
+                ClipError& error) {
+        const auto& [point, normal, moments] = seen;
         if (points_.size() > 0) {
             const Place place = place_of(animal_, points_, point.entry);
             poses_.fill(sampler, clip, point.time_s, 0);
@@ -223,8 +276,8 @@ base::Result<ErrorStats> measure_error(const Animal& animal, const palette::Pale
     Tally all, one;
     for (std::uint32_t c = 0; c < palette.clips.size(); ++c) {
         one.clear();
-        Parts parts{};
-        const auto measured = meter.measure(palette.clips[c], one, parts);
+        Look look;
+        const auto measured = meter.measure(palette.clips[c], one, look);
         if (!measured) return measured.issue();
         const ClipError& error = measured.value();
         if (!std::isfinite(error.max) || !std::isfinite(error.rms))
@@ -235,7 +288,7 @@ base::Result<ErrorStats> measure_error(const Animal& animal, const palette::Pale
         stats.normal_samples += one.normal_samples;
         if (stats.clips.empty() || error.max > stats.clips[stats.worst_clip].max) stats.worst_clip = c;
         stats.clips.push_back(error);
-        stats.parts.push_back(parts);
+        stats.looks.push_back(std::move(look));
     }
     stats.pooled = stats.clips.empty() ? ClipError{} : stats.clips[stats.worst_clip];
     const ClipError pooled = meter.figures(all);

@@ -27,8 +27,8 @@ struct ErrorStats {
     std::vector<palette::ClipError> clips;  // in the order of the palette's clips
     palette::ClipError pooled;              // over all clips: the worst place is in clip `worst_clip`
     std::uint32_t worst_clip = 0;
-    std::vector<Parts> parts;         // one a clip: how finely its spans were looked at
-    std::uint64_t point_samples = 0;  // (times x points) compared
+    std::vector<Look> looks;          // one a clip
+    std::uint64_t point_samples = 0;  // (times x points) that p99.9 and rms are made of
     std::uint64_t normal_samples = 0;
 };
 

@@ -31,6 +31,14 @@ LaneWorst measure_points(const motion::SkinSet& set, const LaneMatrices& differe
     return worst;
 }
 
+LaneWorst largest_points(const motion::SkinSet& set, const LaneMatrices& difference) {
+    LaneWorst worst;
+    for (std::size_t influences = 1; influences + 1 < set.first.size(); ++influences)
+        for (std::uint32_t i = set.first[influences]; i < set.first[influences + 1]; ++i)
+            keep_largest(squared_distances(set, i, influences, difference), i, worst);
+    return worst;
+}
+
 LaneWorst measure_normals(const motion::SkinSet& set, const LaneMatrices& difference,
                           const LaneMatrices& exact, std::size_t lane_count, Histogram& histogram) {
     LaneWorst worst;

@@ -70,6 +70,9 @@ inline Lanes squared_distances(const motion::SkinSet& set, std::uint32_t i, std:
 LaneWorst measure_points(const motion::SkinSet& set, const LaneMatrices& difference, std::size_t lane_count,
                          Histogram& histogram, double& sum);
 
+// The largest of the same, and nothing else.
+LaneWorst largest_points(const motion::SkinSet& set, const LaneMatrices& difference);
+
 // Squared tangents of half the angle between E n and (E + D) n for every normal of `set`; E is `exact` (9
 // elements a bone, row-major 3x3), D is `difference` as above. They rise with the angle from 0 to 180
 // degrees; opposite normals, and those that vanish, count as kStraightAngle.

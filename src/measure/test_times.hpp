@@ -15,6 +15,13 @@ namespace posepack::measure {
 // How many parts the span between two rows or keys is looked at in: its middle alone, or its quarters.
 enum class Parts { halves = 2, quarters = 4 };
 
+// When one clip was looked at.
+struct Look {
+    Parts parts = Parts::halves;
+    // Beside test_times_s(): where the largest error was sought, rising (closer_times.hpp).
+    std::vector<double> closer_s;
+};
+
 // Rows (under runs those of every bone), keys and the times between them, seconds from the first key of the
 // clip, rising; and the moments just before and behind a jump of the source.
 std::vector<double> test_times_s(const palette::PaletteClip& clip, std::span<const double> key_times_s,

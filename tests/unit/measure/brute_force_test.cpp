@@ -107,10 +107,10 @@ double angle_deg(const Point& a, const Point& b) {
     return static_cast<double>(std::atan2(length(cross), dot) * 180 / 3.14159265358979323846L);
 }
 
-std::vector<Sample> naive_samples(const animal::Animal& animal, const posepack_view& view,
-                                  const palette::PaletteClip& clip) {
+std::vector<Sample> samples_at(const std::vector<double>& times_s, const animal::Animal& animal,
+                               const posepack_view& view, const palette::PaletteClip& clip) {
     std::vector<Sample> samples;
-    for (const double time_s : naive_times(animal, clip)) {
+    for (const double time_s : times_s) {
         const auto exact = support::naive_bones(animal, animal.clips[clip.source], time_s);
         const auto read = shown(view, clip, time_s);
         for (std::size_t v = 0; v < animal.vertices.positions.size(); ++v) {
@@ -124,6 +124,11 @@ std::vector<Sample> naive_samples(const animal::Animal& animal, const posepack_v
         }
     }
     return samples;
+}
+
+std::vector<Sample> naive_samples(const animal::Animal& animal, const posepack_view& view,
+                                  const palette::PaletteClip& clip) {
+    return samples_at(naive_times(animal, clip), animal, view, clip);
 }
 
 double percentile(std::vector<double> values, double share) {
@@ -190,6 +195,7 @@ TEST(BruteForce, AgreesInEveryFigureAndPlace) {
     const animal::Animal animal = support::animal_of(support::tail());
     const motion::SkinSet points = motion::unique_points(animal);
     const motion::SkinSet normals = motion::unique_normals(animal);
+    std::size_t closer_count = 0;
     for (const Case& test : cases) {
         const std::vector<motion::RowWish> wishes(
             3, {test.rate_hz, recipe::Wrap::automatic, recipe::Seam::automatic});
@@ -211,14 +217,20 @@ TEST(BruteForce, AgreesInEveryFigureAndPlace) {
             for (const Sample& s : samples) errors.push_back(s.error / radius);
             for (const Sample& s : samples)
                 if (s.normal_deg >= 0) angles.push_back(s.normal_deg);
-            const double max = *std::max_element(errors.begin(), errors.end());
+            const std::vector<Sample> closer =
+                samples_at(stats.value().looks[c].closer_s, animal, view, clip);
+            closer_count += closer.size();
+            std::vector<Sample> everywhere = samples;
+            everywhere.insert(everywhere.end(), closer.begin(), closer.end());
+            double max = 0;
+            for (const Sample& s : everywhere) max = std::max(max, s.error / radius);
             const double normal_max = *std::max_element(angles.begin(), angles.end());
             expect_close(error.max, max, test.tolerance, what + " max");
             expect_close(error.rms, root_mean_square(errors), 1e-5, what + " rms");
             EXPECT_GE(error.p999, percentile(errors, 0.999) * (1 - 1e-5)) << what;
             EXPECT_LE(error.p999, percentile(errors, 0.999) * 1.016) << what;
             EXPECT_LE(error.p999, error.max) << what;
-            const Sample& worst = at(samples, error.time_s, error.vertex);
+            const Sample& worst = at(everywhere, error.time_s, error.vertex);
             expect_close(worst.error / radius, max, 1e-5, what + " place");
             EXPECT_EQ(error.bone, naive_blame(animal, view, clip, worst)) << what;
             EXPECT_EQ(error.mesh, 0u);
@@ -248,6 +260,7 @@ TEST(BruteForce, AgreesInEveryFigureAndPlace) {
         EXPECT_EQ(stats.value().point_samples, sample_count);
         EXPECT_EQ(stats.value().normal_samples, normal_count);
     }
+    EXPECT_GT(closer_count, 1000u);
 }
 
 // The largest error of each bin and bone, from samples one by one. Errors within a hair of another bone's are
@@ -257,10 +270,12 @@ struct NaiveCell {
 };
 
 std::vector<NaiveCell> naive_cells(const animal::Animal& animal, const posepack_view& view,
-                                   const palette::PaletteClip& clip, const ClipHeat& heat) {
+                                   const palette::PaletteClip& clip, const Look& look, const ClipHeat& heat) {
     const std::size_t bones = animal.bones.size();
     std::vector<NaiveCell> cells(heat.errors.size());
-    for (const Sample& sample : naive_samples(animal, view, clip)) {
+    std::vector<double> times_s = naive_times(animal, clip);
+    times_s.insert(times_s.end(), look.closer_s.begin(), look.closer_s.end());
+    for (const Sample& sample : samples_at(times_s, animal, view, clip)) {
         std::size_t bin = 0;
         while (bin + 2 < heat.edges_s.size() && sample.time_s > heat.edges_s[bin + 1]) ++bin;
         const std::vector<double> moved = naive_moves(animal, view, clip, sample);
@@ -291,13 +306,14 @@ TEST(BruteForce, AgreesInEveryCellOfTheHeat) {
         ASSERT_TRUE(stats);
         for (const double width_s : {1e-4, 0.07, 0.4, 1e6}) {
             const auto heat =
-                measure_heat(animal, baked.palette, baked.container, points, stats.value().parts, width_s);
+                measure_heat(animal, baked.palette, baked.container, points, stats.value().looks, width_s);
             ASSERT_TRUE(heat);
             ASSERT_EQ(heat.value().clips.size(), 3u);
             for (std::size_t c = 0; c < 3; ++c) {
                 const ClipHeat& found = heat.value().clips[c];
                 const palette::PaletteClip& clip = baked.palette.clips[c];
-                const std::vector<NaiveCell> expected = naive_cells(animal, view, clip, found);
+                const std::vector<NaiveCell> expected =
+                    naive_cells(animal, view, clip, stats.value().looks[c], found);
                 ASSERT_EQ(found.errors.size(), (found.edges_s.size() - 1) * animal.bones.size());
                 EXPECT_TRUE(std::is_sorted(found.edges_s.begin(), found.edges_s.end()));
                 EXPECT_EQ(found.edges_s.front(), 0.0);
@@ -321,7 +337,7 @@ TEST(BruteForce, HeatNamesTheBoneAndTheTimeOfTheWorstPlace) {
     const motion::SkinSet points = motion::unique_points(animal), normals = motion::unique_normals(animal);
     const support::Baked baked = support::bake_all(animal, {});
     const auto stats = measure_error(animal, baked.palette, baked.container, points, normals);
-    const auto heat = measure_heat(animal, baked.palette, baked.container, points, stats.value().parts, 0.05);
+    const auto heat = measure_heat(animal, baked.palette, baked.container, points, stats.value().looks, 0.05);
     ASSERT_TRUE(stats && heat);
     for (std::size_t c = 0; c < 3; ++c) {
         const palette::ClipError& error = stats.value().clips[c];
@@ -339,7 +355,7 @@ TEST(BruteForce, HeatOfNoContainerIsRefused) {
     support::Baked baked = support::bake_all(animal, {});
     baked.container[0] ^= 1;
     const auto heat = measure_heat(animal, baked.palette, baked.container, motion::unique_points(animal),
-                                   std::vector(3, Parts::halves), 0.05);
+                                   std::vector<Look>(3), 0.05);
     ASSERT_FALSE(heat);
     EXPECT_EQ(heat.issue().code, base::IssueCode::internal);
 }

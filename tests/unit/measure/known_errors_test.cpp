@@ -60,6 +60,31 @@ TEST(KnownErrors, ARotationCutsItsCorner) {
     }
 }
 
+// Two rows over a turn that dawdles, then hurries: the point is furthest from the chord between the times
+// that are looked at first, and a tenth further than at any of them.
+TEST(KnownErrors, TheLargestIsFoundBetweenTheTimes) {
+    ModelSpec spec = support::one_bone({3, 0, 0, -3, 0, 0, 0, 0.5f, 4});
+    spec.clips = {{"Turn",
+                   {{0, "rotation", support::grid(3, 24),
+                     turns({turn(0, 0, 0, 1), turn(20, 0, 0, 1), turn(170, 0, 0, 1)})}}}};
+    const Measured m = measured(spec, support::in_floats(), {12.0, recipe::Wrap::once, {}});
+    ASSERT_EQ(m.baked.palette.clips[0].plan.row_count, 2u);
+    const auto expected_m = [](double keys) {
+        const double turned = (keys <= 1 ? 20 * keys : 20 + 150 * (keys - 1)) * kPi / 180;
+        const double u = keys / 2, end = 170 * kPi / 180;
+        return 3 *
+               std::hypot(1 - u + u * std::cos(end) - std::cos(turned), u * std::sin(end) - std::sin(turned));
+    };
+    double dense_m = 0, halves_m = 0;
+    for (int i = 0; i <= 2000; ++i) dense_m = std::max(dense_m, expected_m(i / 1000.0));
+    for (const double keys : {0.5, 1.0, 1.5}) halves_m = std::max(halves_m, expected_m(keys));
+    ASSERT_LT(halves_m, 0.91 * dense_m) << "or the closer look would have nothing to find";
+    const palette::ClipError& error = m.stats.clips[0];
+    EXPECT_NEAR(error.max * m.baked.palette.radius, dense_m, 0.005 * dense_m);
+    EXPECT_NEAR(expected_m(error.time_s * 24), error.max * m.baked.palette.radius, 1e-4);
+    EXPECT_EQ(m.stats.point_samples % 5, 0u) << "the closer look has no say in the other figures";
+}
+
 // At half the keys' rate the blend does not know what lies between: 10 degrees shown, 4 degrees meant.
 TEST(KnownErrors, NormalsTurnWithTheBlend) {
     ModelSpec spec = support::one_bone({1, 0, 0, -1, 0, 0});
