@@ -26,7 +26,7 @@ using palette::PaletteClip;
 
 constexpr int kMostTries = 8;          // of one fineness
 constexpr double kCloseEnough = 0.98;  // of the bound: not worth another try
-constexpr double kRounding = 3e-4;     // of R: what rounding adds to the largest error
+constexpr double kRounding = 3e-4;     // of R: what rounding to halves adds to the largest error
 constexpr double kShortestReal = 0.75;
 constexpr int kMostSlotTries = 6;
 constexpr int kMostWidenings = 100;
@@ -228,8 +228,9 @@ base::Result<ClipError> RowChooser::measure(PaletteClip clip) const {
 // What was tried for one clip under one bound, and what is the best of it.
 class RowChooser::Contest {
  public:
-    Contest(const PaletteClip& clip, const Limits& bound) : clip(clip), bound(bound), wanted(bound) {
-        wanted.max = std::max(0.5 * bound.max, bound.max - kRounding);
+    Contest(const PaletteClip& clip, const Limits& bound, double rounding)
+        : clip(clip), bound(bound), wanted(bound) {
+        wanted.max = std::max(0.5 * bound.max, bound.max - rounding);
     }
 
     void enter(ChosenRows rows, const Limits& expected, const ClipError& error) {
@@ -382,7 +383,8 @@ double RowChooser::expected_bytes(const fit::Selection& selection, const fit::Tr
 base::Result<ChosenRows> RowChooser::choose(std::uint32_t index, fit::Form form, const Limits& bound) {
     const PaletteClip& clip = palette_.clips[index];
     const animal::Clip& source = animal_.clips[clip.source];
-    Contest contest(clip, bound);
+    const bool is_half = palette_.layout.texel_format == POSEPACK_TEXEL_RGBA16F;
+    Contest contest(clip, bound, is_half ? kRounding : 0.0);
     const palette::Hemispheres before = hemispheres_;
     bool is_rough = false;
     for (const Fineness& fineness : kFineness) {

@@ -227,7 +227,11 @@ TEST(BakeUnderABound, ThePlaceOfTheModelDoesNotMatter) {
 }
 
 TEST(BakeUnderABound, FloatsHoldWhatHalvesDoNot) {
-    const auto baked = bake_goat(bound_of(4e-4));
+    recipe::AnimalEntry entry = entry_of(bound_of(4e-4));
+    recipe::ClipWish wish;
+    wish.name = "Walk";
+    entry.clips = {wish};
+    const auto baked = bake_animal(entry, menagerie::generate_glb("goat"), {});
     ASSERT_TRUE(baked) << base::format_issue(baked.issue());
     EXPECT_EQ(baked.value().record.texel_format, "rgba32f");
     EXPECT_LE(baked.value().record.error.max, 4e-4f);
