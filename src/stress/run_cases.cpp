@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "animal/read_animal.hpp"
+#include "animal/unused_bones.hpp"
 #include "bake/bake_animal.hpp"
 #include "bake/workers.hpp"
 #include "base/interrupt.hpp"
@@ -101,13 +102,15 @@ class CaseRun {
 
     // What the loader says of the chosen container, and how far it is off.
     base::Result<Chosen> describe(const base::Bytes& container) const {
-        const auto drawn = measure_drawn(*animal_, container, case_.reader);
+        animal::Animal baked = *animal_;  // bones as the container numbers them
+        animal::drop_unused_bones(baked);
+        const auto drawn = measure_drawn(baked, container, case_.reader);
         if (!drawn) return drawn.issue();
         Chosen chosen;
         chosen.drawn = drawn.value();
         posepack_view view;
         posepack_open(&view, container.data(), container.size());
-        chosen.start_bone_row_count = std::uint64_t{rows_at_start()} * view.header.bone_count;
+        chosen.start_bone_row_count = std::uint64_t{rows_at_start()} * animal_->bones.size();
         std::set<std::uint32_t> bone_rows;  // by their first texels
         for (std::uint32_t c = 0; c < view.header.clip_count; ++c) {
             posepack_clip clip;

@@ -214,7 +214,7 @@ TEST(BakeUnderABound, TheOrderOfJointsDoesNotMatter) {
     std::reverse(turned.skins[0].joints.begin(), turned.skins[0].joints.end());
     std::reverse(turned.skins[0].inverse_binds.begin(), turned.skins[0].inverse_binds.end());
     for (std::uint16_t& joint : turned.meshes[0].joints) joint = static_cast<std::uint16_t>(2 - joint);
-    expect_alike(support::tail(), turned, 1e-6f);
+    expect_alike(support::tail(), turned, 3e-4f);  // ties in rounding are broken in the bones' order
 }
 
 TEST(BakeUnderABound, ThePlaceOfTheModelDoesNotMatter) {
@@ -227,14 +227,14 @@ TEST(BakeUnderABound, ThePlaceOfTheModelDoesNotMatter) {
 }
 
 TEST(BakeUnderABound, FloatsHoldWhatHalvesDoNot) {
-    recipe::AnimalEntry entry = entry_of(bound_of(4e-4));
+    recipe::AnimalEntry entry = entry_of(bound_of(2e-4));
     recipe::ClipWish wish;
     wish.name = "Walk";
     entry.clips = {wish};
     const auto baked = bake_animal(entry, menagerie::generate_glb("goat"), {});
     ASSERT_TRUE(baked) << base::format_issue(baked.issue());
     EXPECT_EQ(baked.value().record.texel_format, "rgba32f");
-    EXPECT_LE(baked.value().record.error.max, 4e-4f);
+    EXPECT_LE(baked.value().record.error.max, 2e-4f);
     bool warned = false;
     for (const base::Issue& finding : baked.value().findings)
         warned = warned || finding.code == base::IssueCode::warn_floats;
