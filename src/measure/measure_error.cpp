@@ -19,7 +19,6 @@ namespace posepack::measure {
 namespace {
 
 using animal::Animal;
-using motion::Affine;
 using motion::SkinSet;
 using palette::ClipError;
 
