@@ -125,6 +125,39 @@ TEST(PlayPacket, CarriesAFade) {
     }
 }
 
+TEST(PlayPacket,
+     GivesAShaderTheMomentBefore) {  // docs/time.md, section 5: elapsed - frame, or the clip before
+    std::mt19937_64 random(53);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    const double frame_s = 1.0 / 60.0;
+    int looked_before = 0;
+    for (const std::uint32_t wrap : {POSEPACK_WRAP_LOOP, POSEPACK_WRAP_PING_PONG}) {
+        const Played palette(walk_of(wrap, 0.8f));
+        for (int i = 0; i < 20000; ++i) {
+            const double change = 30.0 * kDay * unit(random), time_s = change + 0.05 * unit(random);
+            posepack_play play = play_of(start(palette, 2.0 * unit(random) - 1.0, unit(random), change));
+            if (i % 3 != 0) {
+                play = play_of(start(palette, 2.0 * unit(random) - 1.0, unit(random), change - 9.0));
+                const posepack_track next = start(palette, 2.0 * unit(random) - 1.0, unit(random), change);
+                ASSERT_EQ(posepack_fade_play(&play, &next, i % 3 == 1 ? 0.0 : 1.0), POSEPACK_OK);
+            }
+            Packet p{};
+            ASSERT_EQ(posepack_pack_play(&palette.view, &play, POSEPACK_CLOCK_S, p.data()), POSEPACK_OK);
+            const float elapsed = shader_elapsed(posepack_wrap_clock(time_s, POSEPACK_CLOCK_S), p[3]) -
+                                  static_cast<float>(frame_s);
+            if (std::abs(elapsed) < 1e-4f) continue;  // a unit of the clock: before or after the start
+            float phase = shader_phase(wrap, p[2] + p[1] * std::fmax(elapsed, 0.f));
+            if (elapsed < 0.f && p[4] >= 0.f) phase = shader_phase(wrap, p[6] + p[5] * elapsed);
+            posepack_moment moment{};
+            ASSERT_EQ(posepack_find_moment(&palette.view, &play, time_s - frame_s, &moment), POSEPACK_OK);
+            EXPECT_LE(phase_distance(wrap, phase, moment.phase),
+                      phase_bound(std::max(std::abs(play.now.cycle_hz), std::abs(play.before.cycle_hz))));
+            looked_before += elapsed < 0.f ? 1 : 0;
+        }
+    }
+    EXPECT_GT(looked_before, 5000);
+}
+
 TEST(PlayPacket, HoldsAClipThatHasEnded) {
     const Played palette(walk_of(POSEPACK_WRAP_ONCE, 1.f));
     posepack_play play = play_of(start(palette, -1.0, 1.0, 10.0));
@@ -279,6 +312,7 @@ TEST(BabylonPacket, ShowsTheRowsOfTheClipInItsPeriod) {
             EXPECT_EQ(babylon_row(p, (pass + (row + 0.5) / 3.0) / hz), row + 2.0);
     track = start(closed, 1.0, 1.0 / 3.0, 0.0);  // one row further
     ASSERT_EQ(posepack_pack_babylon(&closed.view, &track, POSEPACK_CLOCK_S, p.data()), POSEPACK_OK);
+    EXPECT_FLOAT_EQ(p[2], 1.f);
     for (int row = 0; row < 3; ++row)
         EXPECT_EQ(babylon_row(p, (7 + (row + 0.5) / 3.0) / hz), (row + 1) % 3 + 2.0);
     const Played open(walk_of(POSEPACK_WRAP_LOOP, 1.f));
@@ -408,6 +442,8 @@ TEST(Check, NamesWhatSixteenBitsBreak) {
     play.now.start_s = 1000.3;  // a quarter of a second off
     EXPECT_EQ(breaks_of(palette, play, POSEPACK_LAYOUT_PLAY, 16), std::uint32_t{POSEPACK_BREAK_PHASE});
     EXPECT_EQ(breaks_of(palette, play, POSEPACK_LAYOUT_HALVES, 16), 0u);
+    play.now.cycle_hz = 8.0 / 1024.0;  // a clip so slow that it does not matter
+    EXPECT_EQ(breaks_of(palette, play, POSEPACK_LAYOUT_PLAY, 16), 0u);
     play.now.start_s = 0.0;
     play.now.cycle_hz = 1025.0 / 1024.0;  // survives; times four rows as well
     EXPECT_EQ(breaks_of(palette, play, POSEPACK_LAYOUT_ROWS, 16), 0u);

@@ -120,6 +120,9 @@ TEST(Track, RatesAreMultiplesOfOneOverTheClock) {
         }
         EXPECT_EQ(start(palette.view, 1.5, 0.0, 0.0, 0.0).cycle_hz, 1.5 / static_cast<double>(0.7f));
         EXPECT_EQ(start(palette.view, 0.0, 0.0, 0.0).cycle_hz, 0.0);
+        const double slowest = (wrap == POSEPACK_WRAP_PING_PONG ? 2.0 : 1.0) / POSEPACK_CLOCK_S;
+        EXPECT_EQ(start(palette.view, 1e-6, 0.0, 0.0).cycle_hz, slowest);  // nothing freezes
+        EXPECT_EQ(start(palette.view, -1e-6, 0.0, 0.0).cycle_hz, -slowest);
     }
     const Played palette(make_parts());
     EXPECT_EQ(start(palette.view, 3.0, 0.25, 9.0, POSEPACK_CLOCK_S, kIdleClip).cycle_hz, 0.0);  // one row
