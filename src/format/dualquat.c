@@ -1,17 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 #include "format/dualquat.h"
 
-/* A row with its scale taken out: dual is at right angles to real again. */
-typedef struct scaled_dualquat {
-    float real[4], dual[4], scale;
-} scaled_dualquat;
-
 static float dot(const float a[4], const float b[4]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
 }
 
-static scaled_dualquat take_scale(const posepack_dualquat* row, float length) {
-    scaled_dualquat out;
+posepack_scaled_dualquat posepack_dualquat_take_scale(const posepack_dualquat* row, float length) {
+    posepack_scaled_dualquat out;
     const float along = dot(row->real, row->dual) / dot(row->real, row->real);
     int c;
     for (c = 0; c < 4; ++c) {
@@ -22,8 +17,7 @@ static scaled_dualquat take_scale(const posepack_dualquat* row, float length) {
     return out;
 }
 
-/* scale x rotation | translation, of a dual quaternion of any length. */
-static void write_matrix(const scaled_dualquat* d, float matrix[12]) {
+void posepack_dualquat_write(const posepack_scaled_dualquat* d, float matrix[12]) {
     const float smallest = 1e-12f; /* of a square; rows of a palette are near length 1 */
     const float x = d->real[0], y = d->real[1], z = d->real[2], w = d->real[3];
     const float square = dot(d->real, d->real);
@@ -43,22 +37,41 @@ static void write_matrix(const scaled_dualquat* d, float matrix[12]) {
     matrix[11] = h * (w * d->dual[2] - d->dual[3] * z + (x * d->dual[1] - y * d->dual[0]));
 }
 
+posepack_scaled_dualquat posepack_dualquat_mix(const posepack_scaled_dualquat* a,
+                                               const posepack_scaled_dualquat* b, float factor) {
+    const float rest = 1.0f - factor;
+    posepack_scaled_dualquat mixed;
+    int c;
+    for (c = 0; c < 4; ++c) {
+        mixed.real[c] = a->real[c] * rest + b->real[c] * factor;
+        mixed.dual[c] = a->dual[c] * rest + b->dual[c] * factor;
+    }
+    mixed.scale = a->scale * rest + b->scale * factor;
+    return mixed;
+}
+
+posepack_scaled_dualquat posepack_dualquat_fade(const posepack_scaled_dualquat* a,
+                                                const posepack_scaled_dualquat* b, float factor) {
+    const float sign = dot(a->real, b->real) < 0.0f ? -1.0f : 1.0f;
+    posepack_scaled_dualquat turned;
+    int c;
+    for (c = 0; c < 4; ++c) {
+        turned.real[c] = sign * b->real[c];
+        turned.dual[c] = sign * b->dual[c];
+    }
+    turned.scale = b->scale;
+    return posepack_dualquat_mix(a, &turned, factor);
+}
+
 void posepack_dualquat_decode(const posepack_dualquat* row, float length, float matrix[12]) {
-    const scaled_dualquat scaled = take_scale(row, length);
-    write_matrix(&scaled, matrix);
+    const posepack_scaled_dualquat scaled = posepack_dualquat_take_scale(row, length);
+    posepack_dualquat_write(&scaled, matrix);
 }
 
 void posepack_dualquat_blend(const posepack_dualquat* a, const posepack_dualquat* b, float factor,
                              float length, float matrix[12]) {
-    const scaled_dualquat first = take_scale(a, length);
-    const scaled_dualquat second = take_scale(b, length);
-    const float rest = 1.0f - factor;
-    scaled_dualquat mixed;
-    int c;
-    for (c = 0; c < 4; ++c) {
-        mixed.real[c] = first.real[c] * rest + second.real[c] * factor;
-        mixed.dual[c] = first.dual[c] * rest + second.dual[c] * factor;
-    }
-    mixed.scale = first.scale * rest + second.scale * factor;
-    write_matrix(&mixed, matrix);
+    const posepack_scaled_dualquat first = posepack_dualquat_take_scale(a, length);
+    const posepack_scaled_dualquat second = posepack_dualquat_take_scale(b, length);
+    const posepack_scaled_dualquat mixed = posepack_dualquat_mix(&first, &second, factor);
+    posepack_dualquat_write(&mixed, matrix);
 }

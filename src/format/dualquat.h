@@ -29,6 +29,25 @@ typedef struct posepack_dualquat {
     float dual[4]; /* dual' above */
 } posepack_dualquat;
 
+/* A bone-row, or a blend, with its scale taken out: `dual` is that of the transform again. */
+typedef struct posepack_scaled_dualquat {
+    float real[4], dual[4], scale;
+} posepack_scaled_dualquat;
+
+/* The numbers of one bone-row. `real` must not vanish; `length` is L, above zero. */
+posepack_scaled_dualquat posepack_dualquat_take_scale(const posepack_dualquat* row, float length);
+
+/* The numbers between `a` and `b`, whatever their signs: `factor` is the share of `b`. */
+posepack_scaled_dualquat posepack_dualquat_mix(const posepack_scaled_dualquat* a,
+                                               const posepack_scaled_dualquat* b, float factor);
+
+/* The same between poses that no writer put into one hemisphere: `b` is turned where real . real < 0. */
+posepack_scaled_dualquat posepack_dualquat_fade(const posepack_scaled_dualquat* a,
+                                                const posepack_scaled_dualquat* b, float factor);
+
+/* scale x rotation | translation, of a real part of any length; finite where it vanishes. */
+void posepack_dualquat_write(const posepack_scaled_dualquat* numbers, float matrix[12]);
+
 /* The 3x4 row-major matrix of one bone-row. `real` must not vanish; `length` is L, above zero. */
 void posepack_dualquat_decode(const posepack_dualquat* row, float length, float matrix[12]);
 

@@ -255,6 +255,29 @@ void posepack_blend_texels(const posepack_bone_form* form, const uint8_t* texel0
     }
 }
 
+void posepack_decode_source(const posepack_bone_source* source, float* matrix) {
+    uint32_t i;
+    if (source->texel0 == NULL) {
+        for (i = 0; i < 12; ++i) matrix[i] = 0.0f;
+    } else if (source->factor > 0.0f) {
+        posepack_blend_texels(&source->form, source->texel0, source->texel1, source->factor, matrix);
+    } else {
+        posepack_decode_texels(&source->form, source->texel0, matrix);
+    }
+}
+
+posepack_scaled_dualquat posepack_read_source(const posepack_bone_source* source) {
+    const float length = source->form.dualquat_length;
+    const posepack_dualquat row0 = read_dualquat(&source->form, source->texel0);
+    const posepack_scaled_dualquat first = posepack_dualquat_take_scale(&row0, length);
+    if (source->factor > 0.0f) {
+        const posepack_dualquat row1 = read_dualquat(&source->form, source->texel1);
+        const posepack_scaled_dualquat second = posepack_dualquat_take_scale(&row1, length);
+        return posepack_dualquat_mix(&first, &second, source->factor);
+    }
+    return first;
+}
+
 static posepack_bone_form form_of(const posepack_view* view) {
     posepack_bone_form form;
     form.encoding = view->header.encoding;

@@ -3,6 +3,7 @@
 #ifndef POSEPACK_LOADER_INTERNAL_H
 #define POSEPACK_LOADER_INTERNAL_H
 
+#include "format/dualquat.h"
 #include "format/texels.h"
 #include "posepack/loader.h"
 
@@ -82,6 +83,19 @@ typedef struct posepack_bone_form {
 void posepack_decode_texels(const posepack_bone_form* form, const uint8_t* texel, float* matrix);
 void posepack_blend_texels(const posepack_bone_form* form, const uint8_t* texel0, const uint8_t* texel1,
                            float factor, float* matrix);
+
+/* Where one bone is found at a phase: `texel0` alone where the factor is 0. NULL where changed bytes lead. */
+typedef struct posepack_bone_source {
+    posepack_bone_form form;
+    const uint8_t *texel0, *texel1;
+    float factor;
+} posepack_bone_source;
+posepack_bone_source posepack_find_source(const posepack_view* view, uint32_t clip, uint32_t bone,
+                                          float phase);
+
+/* The bone as a 3x4 matrix, zero where texel0 is NULL; as numbers, of a dualquat whose texel0 is not. */
+void posepack_decode_source(const posepack_bone_source* source, float* matrix);
+posepack_scaled_dualquat posepack_read_source(const posepack_bone_source* source);
 
 /* The layout that the header's copy describes; uniform rows only. */
 posepack_texel_layout posepack_view_layout(const posepack_view* view);

@@ -50,11 +50,6 @@ static const uint8_t* texel_at(const posepack_view* view, uint64_t texel, const 
     return offset <= size && reach <= size - offset ? posepack_pixels(view) + offset : NULL;
 }
 
-static void clear(float* matrix) {
-    uint32_t i;
-    for (i = 0; i < 12; ++i) matrix[i] = 0.0f;
-}
-
 /* Cuts rise within a clip. */
 static int is_cut(const posepack_view* view, const uint8_t* record, uint32_t clip, uint32_t row) {
     uint32_t first = 0, last = posepack_read_u32(record + POSEPACK_CLIP_CUT_COUNT);
@@ -108,29 +103,31 @@ static int form_of(const posepack_view* view, const uint8_t* record, const posep
     return form->encoding >= POSEPACK_ENCODING_MAT4 && form->encoding <= POSEPACK_ENCODING_DUALQUAT;
 }
 
-static void sample_run(const posepack_view* view, uint32_t clip, const posepack_run* run, float phase,
-                       float* matrix) {
-    const uint8_t* record = posepack_clip_record(view, clip);
-    const posepack_place place = place_of(view, record, clip, run, phase);
-    posepack_bone_form form;
-    const uint8_t *a = NULL, *b = NULL;
-    if (form_of(view, record, run, &form)) {
-        a = texel_at(view, run->texel + (uint64_t)place.row0 * run->texel_step, &form);
-        b = texel_at(view, run->texel + (uint64_t)place.row1 * run->texel_step, &form);
-    }
-    if (a == NULL || (b == NULL && place.factor > 0.0f)) {
-        clear(matrix);
-    } else if (place.factor > 0.0f) {
-        posepack_blend_texels(&form, a, b, place.factor, matrix);
-    } else {
-        posepack_decode_texels(&form, a, matrix);
-    }
-}
-
 /* Into 0 to 1; NaN compares with nothing and becomes 0. */
 static float clamped(float phase) {
     if (!(phase > 0.0f)) return 0.0f;
     return phase < 1.0f ? phase : 1.0f;
+}
+
+static posepack_bone_source source_of(const posepack_view* view, uint32_t clip, const posepack_run* run,
+                                      float phase) {
+    const uint8_t* record = posepack_clip_record(view, clip);
+    const posepack_place place = place_of(view, record, clip, run, clamped(phase));
+    posepack_bone_source source;
+    source.texel0 = source.texel1 = NULL;
+    source.factor = place.factor;
+    if (form_of(view, record, run, &source.form)) {
+        source.texel0 = texel_at(view, run->texel + (uint64_t)place.row0 * run->texel_step, &source.form);
+        source.texel1 = texel_at(view, run->texel + (uint64_t)place.row1 * run->texel_step, &source.form);
+    }
+    if (source.texel1 == NULL && source.factor > 0.0f) source.texel0 = NULL;
+    return source;
+}
+
+posepack_bone_source posepack_find_source(const posepack_view* view, uint32_t clip, uint32_t bone,
+                                          float phase) {
+    const posepack_run run = run_of(view, posepack_clip_record(view, clip), clip, bone);
+    return source_of(view, clip, &run, phase);
 }
 
 posepack_result posepack_get_run(const posepack_view* view, uint32_t clip_index, uint32_t bone,
@@ -167,23 +164,23 @@ posepack_result posepack_find_place(const posepack_view* view, uint32_t clip_ind
 posepack_result posepack_sample_bone(const posepack_view* view, uint32_t clip_index, float phase,
                                      uint32_t bone, float matrix[12]) {
     posepack_run run;
+    posepack_bone_source source;
     const posepack_result result =
         matrix == NULL ? POSEPACK_ERROR_ARG : posepack_get_run(view, clip_index, bone, &run);
     if (result != POSEPACK_OK) return result;
-    sample_run(view, clip_index, &run, clamped(phase), matrix);
+    source = source_of(view, clip_index, &run, phase);
+    posepack_decode_source(&source, matrix);
     return POSEPACK_OK;
 }
 
 posepack_result posepack_sample_pose(const posepack_view* view, uint32_t clip_index, float phase,
                                      float* matrices) {
-    const uint8_t* record;
     uint32_t bone;
     if (!is_open(view) || matrices == NULL) return POSEPACK_ERROR_ARG;
     if (clip_index >= view->header.clip_count) return POSEPACK_ERROR_INDEX;
-    record = posepack_clip_record(view, clip_index);
     for (bone = 0; bone < view->header.bone_count; ++bone) {
-        const posepack_run run = run_of(view, record, clip_index, bone);
-        sample_run(view, clip_index, &run, clamped(phase), matrices + 12 * (size_t)bone);
+        const posepack_bone_source source = posepack_find_source(view, clip_index, bone, phase);
+        posepack_decode_source(&source, matrices + 12 * (size_t)bone);
     }
     return POSEPACK_OK;
 }
