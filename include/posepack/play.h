@@ -88,7 +88,7 @@ float posepack_wrap_clock(double time_s, double clock_s);
  *               speed is
  *   phase       cycles; any number, stored within one cycle of a loop, two of ping-pong
  *   clock_s     of the shader; 0: rates are exact, for the CPU alone
- * OK, ARG (null, a number that is not finite, a negative clock) or INDEX.
+ * OK, ARG (null, a number that is not finite, a negative clock, more than 10^6 cycles a second) or INDEX.
  */
 posepack_result posepack_start_track(const posepack_view* view, uint32_t clip_index, double speed,
                                      double phase, double now_s, double clock_s, posepack_track* track);

@@ -7,6 +7,7 @@
 /* Behind the end of a fade and of a clip played once, longer than a frame: its last moments may be asked for.
  */
 static const double kept_s = 1.0;
+static const double most_hz = 1e6; /* cycles a second: a packet of more would hold infinity, or nothing */
 
 double posepack_floor(double x) {
     const double all_integers = 4503599627370496.0; /* 2^52: above it a double has no fraction */
@@ -69,13 +70,13 @@ int posepack_has_ended(uint32_t wrap, const posepack_track* track, double time_s
     return track->cycle_hz > 0.0 ? cycles >= 1.0 : track->cycle_hz < 0.0 && cycles <= 0.0;
 }
 
-/* Cycles a second of a clip played at a speed; 0 where an argument, or what it gives, is no number. */
+/* Cycles a second of a clip played at a speed; 0 where an argument is no number or gives too many. */
 static int find_cycle_hz(const posepack_clip* clip, double speed, double clock_s, double* cycle_hz) {
     const double whole_cycles = clip->wrap == POSEPACK_WRAP_PING_PONG ? 2.0 : 1.0;
     const double exact_hz = clip->period_s > 0.0f ? speed / (double)clip->period_s : 0.0;
     const double steps = exact_hz * clock_s / whole_cycles;
-    if (!posepack_is_finite(speed) || !posepack_is_finite(exact_hz)) return 0;
-    if (!posepack_is_finite(steps) || !(clock_s >= 0.0)) return 0;
+    if (!(exact_hz >= -most_hz && exact_hz <= most_hz)) return 0;
+    if (!posepack_is_finite(speed) || !posepack_is_finite(steps) || !(clock_s >= 0.0)) return 0;
     *cycle_hz = exact_hz == 0.0 || clock_s == 0.0 ? exact_hz : rounded_steps(steps) * whole_cycles / clock_s;
     return 1;
 }

@@ -9,7 +9,7 @@
 
 #include "container_builder.hpp"
 #include "fuzz/target.hpp"
-#include "posepack/loader.h"
+#include "posepack/play.h"
 
 namespace {
 
@@ -70,6 +70,36 @@ void read_poses(const posepack_view& view) {
     }
 }
 
+// Every clip plays and fades into the next; a clip of a period near 0 may be refused as too fast.
+void play_clips(const posepack_view& view) {
+    std::vector<float> matrices(std::size_t{view.header.bone_count} * 12);
+    const posepack_limits limits = {16, 4096, POSEPACK_CLOCK_S};
+    posepack_track track, next;
+    posepack_play play;
+    posepack_moment moment;
+    for (std::uint32_t c = 0; c < view.header.clip_count; ++c) {
+        const std::uint32_t other = (c + 1) % view.header.clip_count;
+        if (posepack_start_track(&view, c, 1.0, 0.3, 1e6, POSEPACK_CLOCK_S, &track) != POSEPACK_OK ||
+            posepack_start_track(&view, other, -0.7, 0.9, 1e6 + 2.0, POSEPACK_CLOCK_S, &next) != POSEPACK_OK)
+            continue;
+        expect(posepack_start_play(&play, &track) == POSEPACK_OK &&
+                   posepack_fade_play(&play, &next, 1.0) == POSEPACK_OK,
+               "every clip to fade");
+        for (const double time_s : {1e6, 1e6 + 2.4, 1e6 + 1e5})
+            expect(posepack_find_moment(&view, &play, time_s, &moment) == POSEPACK_OK &&
+                       posepack_show_pose(&view, &moment, matrices.data()) == POSEPACK_OK &&
+                       moment.phase >= 0.0f && moment.phase <= 1.0f,
+                   "every moment to be shown");
+        std::uint64_t passes = 0;
+        expect(posepack_count_passes(&view, &track, 0.5, 0.0, 2e6, &passes) == POSEPACK_OK, "passes");
+        for (std::uint32_t layout = 0; layout <= POSEPACK_LAYOUT_GODOT; ++layout) {
+            std::uint32_t breaks = 0;
+            expect(posepack_check_packet(&view, &play, layout, &limits, &breaks) == POSEPACK_OK,
+                   "every packet to be checked");
+        }
+    }
+}
+
 void open_and_read(const std::vector<std::uint8_t>& bytes) {
     posepack_view view;
     const posepack_result opened = posepack_open(&view, bytes.data(), bytes.size());
@@ -77,6 +107,7 @@ void open_and_read(const std::vector<std::uint8_t>& bytes) {
     if (opened != POSEPACK_OK) return;
     read_tables(view);
     read_poses(view);
+    play_clips(view);
 }
 
 }  // namespace

@@ -214,8 +214,15 @@ TEST(Track, RefusesWhatIsNoNumber) {
         EXPECT_EQ(posepack_change_speed(&palette.view, 1, 0, bad, &track), POSEPACK_ERROR_ARG);
     }
     EXPECT_EQ(begin(1, 0, 0, -1), POSEPACK_ERROR_ARG);
-    EXPECT_EQ(begin(1e308, 0, 0, 1024), POSEPACK_ERROR_ARG);  // so many cycles a second are no number
-    EXPECT_EQ(posepack_change_speed(&palette.view, 1e308, 0, 0, &track), POSEPACK_ERROR_ARG);
+    // Walk takes 1 / 6 s: a million cycles a second, and more.
+    EXPECT_EQ(begin(166666.0, 0, 0, 1024), POSEPACK_OK);
+    for (const double fast : {166667.0, -166667.0, 1e308}) {
+        EXPECT_EQ(begin(fast, 0, 0, 1024), POSEPACK_ERROR_ARG);
+        EXPECT_EQ(posepack_change_speed(&palette.view, fast, 0, 0, &track), POSEPACK_ERROR_ARG);
+    }
+    EXPECT_EQ(begin(1, 0, 0, kInf), POSEPACK_ERROR_ARG);
+    EXPECT_EQ(begin(6, 0, 0, 1e308), POSEPACK_ERROR_ARG);  // so long a clock
+    EXPECT_EQ(posepack_start_track(&palette.view, kIdleClip, kNan, 0, 0, 0, &track), POSEPACK_ERROR_ARG);
     EXPECT_EQ(posepack_start_track(&palette.view, 2, 1, 0, 0, 0, &track), POSEPACK_ERROR_INDEX);
     EXPECT_EQ(posepack_start_track(&palette.view, 0, 1, 0, 0, 0, nullptr), POSEPACK_ERROR_ARG);
     EXPECT_EQ(posepack_start_track(nullptr, 0, 1, 0, 0, 0, &track), POSEPACK_ERROR_ARG);
