@@ -17,7 +17,8 @@ posepack_scaled_dualquat posepack_dualquat_take_scale(const posepack_dualquat* r
     return out;
 }
 
-void posepack_dualquat_write(const posepack_scaled_dualquat* d, float matrix[12]) {
+void posepack_dualquat_write(const posepack_scaled_dualquat* numbers, float matrix[12]) {
+    const posepack_scaled_dualquat* d = numbers;
     const float smallest = 1e-12f; /* of a square; rows of a palette are near length 1 */
     const float x = d->real[0], y = d->real[1], z = d->real[2], w = d->real[3];
     const float square = dot(d->real, d->real);

@@ -3,7 +3,7 @@
 #include "format/half.h"
 #include "loader/timing.h"
 
-static const double halves_a_cycle = 2048.0; /* whole numbers up to here are exact in 16-bit floats */
+static const double kHalvesACycle = 2048.0; /* whole numbers up to here are exact in 16-bit floats */
 
 static int is_clock(double clock_s) {
     return posepack_is_finite(clock_s) && clock_s > 0.0;
@@ -77,12 +77,12 @@ posepack_result posepack_pack_play(const posepack_view* view, const posepack_pla
 static posepack_result pack_half_track(const posepack_view* view, const posepack_track* track, double start_s,
                                        double clock_s, float out[4]) {
     on_clock placed;
-    const double grain_s = clock_s / halves_a_cycle;
+    const double grain_s = clock_s / kHalvesACycle;
     const posepack_result result = put_on_clock(view, track, start_s, clock_s, grain_s, &placed);
     double cycles;
     if (result != POSEPACK_OK) return result;
-    cycles = posepack_floor(placed.cycles * halves_a_cycle + 0.5);
-    if (placed.clip.wrap == POSEPACK_WRAP_LOOP && cycles >= halves_a_cycle) cycles = 0.0;
+    cycles = posepack_floor(placed.cycles * kHalvesACycle + 0.5);
+    if (placed.clip.wrap == POSEPACK_WRAP_LOOP && cycles >= kHalvesACycle) cycles = 0.0;
     out[0] = (float)track->clip;
     out[1] = (float)(placed.cycle_hz * clock_s);
     out[2] = half_of(cycles);
@@ -197,16 +197,16 @@ static double magnitude(double x) {
 }
 
 /* What each number of a layout is: Index, Rate, Cycles, roWs, Start. */
-static const char roles[5][9] = {"IRCSIRC-", "IR--IR--", "IIRC----", "IIWR----", "CII-----"};
+static const char kRoles[5][9] = {"IRCSIRC-", "IR--IR--", "IIRC----", "IIWR----", "CII-----"};
 
 /* A packet whose numbers are rounded to 16 bits; `hz` and `rows`: cycles a second, and rows a cycle. */
 static uint32_t check_halves(const float packet[8], uint32_t layout, double hz, double rows) {
-    double rows_off = layout == POSEPACK_LAYOUT_HALVES ? rows / (2.0 * halves_a_cycle) : 0.0;
+    double rows_off = layout == POSEPACK_LAYOUT_HALVES ? rows / (2.0 * kHalvesACycle) : 0.0;
     uint32_t breaks = 0;
     int i;
     for (i = 0; i < 8; ++i) {
         const double error = magnitude((double)half_of((double)packet[i]) - (double)packet[i]);
-        const char role = roles[layout][i];
+        const char role = kRoles[layout][i];
         if (role == 'I' && error > 0.0) breaks |= POSEPACK_BREAK_INDEX;
         if (role == 'R' && error > 0.0) breaks |= POSEPACK_BREAK_RATE;
         if (role == 'C') rows_off += error * rows;

@@ -6,8 +6,8 @@
 
 /* Behind the end of a fade and of a clip played once, longer than a frame: its last moments may be asked for.
  */
-static const double kept_s = 1.0;
-static const double most_hz = 1e6; /* cycles a second: a packet of more would hold infinity, or nothing */
+static const double kKeptS = 1.0;
+static const double kMostHz = 1e6; /* cycles a second: a packet of more would hold infinity, or nothing */
 
 double posepack_floor(double x) {
     const double all_integers = 4503599627370496.0; /* 2^52: above it a double has no fraction */
@@ -75,7 +75,7 @@ static int find_cycle_hz(const posepack_clip* clip, double speed, double clock_s
     const double whole_cycles = clip->wrap == POSEPACK_WRAP_PING_PONG ? 2.0 : 1.0;
     const double exact_hz = clip->period_s > 0.0f ? speed / (double)clip->period_s : 0.0;
     const double steps = exact_hz * clock_s / whole_cycles;
-    if (!(exact_hz >= -most_hz && exact_hz <= most_hz)) return 0;
+    if (!(exact_hz >= -kMostHz && exact_hz <= kMostHz)) return 0;
     if (!posepack_is_finite(speed) || !posepack_is_finite(steps) || !(clock_s >= 0.0)) return 0;
     *cycle_hz = exact_hz == 0.0 || clock_s == 0.0 ? exact_hz : rounded_steps(steps) * whole_cycles / clock_s;
     return 1;
@@ -168,12 +168,12 @@ posepack_result posepack_settle_play(const posepack_view* view, double now_s, po
         play == NULL || changed == NULL ? POSEPACK_ERROR_ARG : posepack_get_clip(view, play->now.clip, &clip);
     if (result != POSEPACK_OK) return result;
     *changed = 0;
-    if (play->before.clip != POSEPACK_NONE && now_s - kept_s - play->now.start_s >= play->fade_s) {
+    if (play->before.clip != POSEPACK_NONE && now_s - kKeptS - play->now.start_s >= play->fade_s) {
         play->before.clip = POSEPACK_NONE;
         play->fade_s = 0.0;
         *changed = 1;
     }
-    if (posepack_has_ended(clip.wrap, &play->now, now_s - kept_s)) {
+    if (posepack_has_ended(clip.wrap, &play->now, now_s - kKeptS)) {
         play->now.phase = play->now.cycle_hz > 0.0 ? 1.0 : 0.0;
         play->now.cycle_hz = 0.0;
         *changed = 1;
