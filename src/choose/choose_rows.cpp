@@ -88,6 +88,14 @@ class Search {
     double scale_ = 1.0, kept_ = 0.0, broken_ = HUGE_VAL;
 };
 
+// For messages; those that `bound` does not bound are left out.
+std::string figures(const Limits& bound, double max, double p999, double rms) {
+    std::string out = fmt::format("max {:.3g}", max);
+    if (std::isfinite(bound.p999)) out += fmt::format(", p99.9 {:.3g}", p999);
+    if (std::isfinite(bound.rms)) out += fmt::format(", rms {:.3g}", rms);
+    return out;
+}
+
 Limits scaled(const Limits& limits, double scale) {
     return {limits.max * scale, limits.p999 * scale, limits.rms * scale};
 }
@@ -407,14 +415,14 @@ base::Result<ChosenRows> RowChooser::choose(std::uint32_t index, fit::Form form,
         return base::Issue{
             base::IssueCode::lim_bound, source.name,
             contest.nearest_share < HUGE_VAL
-                ? fmt::format("expected errors within max {:.3g}, p99.9 {:.3g} of R, found max {:.3g}, p99.9 "
-                              "{:.3g} at {:.4g} s, bone '{}', with {} rows a key",
-                              bound.max, bound.p999, contest.nearest.max, contest.nearest.p999,
-                              contest.nearest.time_s,
-                              contest.nearest.bone < animal_.bones.size()
-                                  ? animal_.bones[contest.nearest.bone].name
-                                  : "-",
-                              kFineness[1].rows_per_key)
+                ? fmt::format(
+                      "expected errors within {} of R, found {} at {:.4g} s, bone '{}', with {} rows a key",
+                      figures(bound, bound.max, bound.p999, bound.rms),
+                      figures(bound, contest.nearest.max, contest.nearest.p999, contest.nearest.rms),
+                      contest.nearest.time_s,
+                      contest.nearest.bone < animal_.bones.size() ? animal_.bones[contest.nearest.bone].name
+                                                                  : "-",
+                      kFineness[1].rows_per_key)
                 : fmt::format("expected errors within max {:.3g} of R, found more with {} rows a key",
                               bound.max, kFineness[1].rows_per_key)};
     contest.best.attempts = std::move(contest.attempts);

@@ -38,9 +38,10 @@ std::string choice_sentence(const recipe::ClipRecord& clip) {
     if (taken == nullptr) return "as asked for";
     const auto kept =
         std::count_if(tried.begin(), tried.end(), [](const TryRecord& one) { return one.keeps_bound; });
-    std::string out =
-        fmt::format("{} of {}, {} bytes: the smallest of {} that keep the bound, of {} tried",
-                    taken->row_scheme, taken->encoding, base::grouped(taken->bytes), kept, tried.size());
+    const std::string rank = kept == 1 ? std::string("the only one that keeps")
+                                       : fmt::format("the smallest of {} that keep", kept);
+    std::string out = fmt::format("{} of {}, {} bytes: {} the bound, of {} tried", taken->row_scheme,
+                                  taken->encoding, base::grouped(taken->bytes), rank, tried.size());
     const std::string scheme = taken->row_scheme == "runs" ? "slots" : "runs";
     out += others(tried, scheme, [&](const TryRecord& one) {
         return one.row_scheme == scheme && one.encoding == taken->encoding;

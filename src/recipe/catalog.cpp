@@ -269,6 +269,17 @@ void settle_rates(const std::optional<double>& command_line_hz, const Rate& rate
     for (ClipWish& wish : animal->clips) wish.rate_hz = command_line_hz;
 }
 
+// The clips of a palette are stored in one way: where the animal's form is fixed, a clip's bound could not
+// hold.
+void refuse_lone_bounds(const Value& value, const AnimalEntry& animal) {
+    for (const ClipWish& wish : animal.clips)
+        if (wish.bound)
+            return value.fail(
+                IssueCode::cat_value,
+                fmt::format("expected \"max_error\" in \"output\" beside that of clip '{}', found none",
+                            base::printable(wish.name)));
+}
+
 AnimalEntry read_animal(const std::string& id, const Value& value, const Defaults& defaults,
                         const CommandLine& command_line) {
     AnimalEntry animal;
@@ -294,6 +305,8 @@ AnimalEntry read_animal(const std::string& id, const Value& value, const Default
     apply(command_line.output, &animal.output);
     settle_rates(command_line.rate_hz, rate, &animal);
     if (command_line.rate_hz && !command_line.output.bound) animal.output.bound.reset();
+    if (!animal.output.bound && !command_line.output.encoding && !command_line.rate_hz)
+        refuse_lone_bounds(value, animal);
     animal.canonical_json = canonical(animal);
     return animal;
 }

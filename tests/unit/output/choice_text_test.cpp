@@ -38,9 +38,8 @@ TEST(ChoiceSentence, SaysWhatOthersNeed) {
 TEST(ChoiceSentence, SaysWhatMissesTheBound) {
     EXPECT_EQ(sentence({attempt("dualquat", "runs", 100, false), attempt("dualquat", "slots", 90, false),
                         attempt("affine", "runs", 300, true), attempt("affine", "slots", 200, false)}),
-              "runs of affine, 300 bytes: the smallest of 1 that keep the bound, of 4 tried; slots miss it; "
-              "dualquat "
-              "miss it");
+              "runs of affine, 300 bytes: the only one that keeps the bound, of 4 tried; slots miss it; "
+              "dualquat miss it");
 }
 
 TEST(ChoiceSentence, OfAFixedFormThereIsNothingToSay) {

@@ -189,6 +189,19 @@ TEST(ReadCatalog, ABoundLeavesUnusedBonesOutUnlessTold) {
     EXPECT_FALSE(unbounded.animals[0].output.drops_unused_bones());
 }
 
+// A clip's bound alone is a fault (CatalogFaults), but not where the command line has the last word on the
+// form.
+TEST(ReadCatalog, TheCommandLineSettlesABoundOfOneClip) {
+    const std::string text = R"({"schema":1,"animals":{"deer":{"model":"d.glb",)"
+                             R"("clips":["idle",{"name":"walk","max_error":"hero"}]}}})";
+    OutputOverrides bounded;
+    bounded.bound = parse_error_bound("default");
+    EXPECT_TRUE(read(text, bounded).animals[0].clips[1].bound);
+    OutputOverrides fixed;
+    fixed.encoding = Encoding::affine;
+    EXPECT_FALSE(read(text, fixed).animals[0].output.bound);
+}
+
 TEST(CanonicalJson, LeavesOutIdAndPath) {
     const AnimalEntry deer = read(kSmall).animals[0];
     const AnimalEntry moved = read(R"({"schema":1,"animals":{"elk":{"model":"a/b.glb"}}})").animals[0];
